@@ -1,0 +1,58 @@
+#pragma once
+
+#include <pcl/exceptions.h>
+
+#include <cstddef>
+#include <string>
+
+namespace graben {
+
+/// Base of every error graben throws. Catching pcl::PCLException or std::runtime_error catches it too.
+class Error : public pcl::PCLException {
+public:
+  /// \param[in] stage   what was being done, for example "reading faults"
+  /// \param[in] message what went wrong and what to do about it, one sentence each
+  Error(std::string stage, const std::string& message);
+
+  const std::string& stage() const { return stage_; }
+
+private:
+  std::string stage_;
+};
+
+/// The input cannot be used as it is: empty, one point, all NaN, wrong option value.
+class InvalidInputError : public Error {
+public:
+  using Error::Error;
+};
+
+/// A file cannot be opened, read, written or renamed.
+class IoError : public Error {
+public:
+  IoError(const std::string& file, const std::string& message);
+  const std::string& file() const { return file_; }
+
+private:
+  std::string file_;
+};
+
+/// A file was read but its content is not what it should be; names the file and the line.
+class ParseError : public Error {
+public:
+  /// \param[in] line 1-based line number; 0 if the format has no lines
+  ParseError(const std::string& file, std::size_t line, const std::string& message);
+  const std::string& file() const { return file_; }
+  std::size_t line() const { return line_; }
+
+private:
+  std::string file_;
+  std::size_t line_;
+};
+
+/// The job needs more memory than there is; the message names a voxel size that would fit.
+class ResourceError : public Error {
+public:
+  using Error::Error;
+};
+
+} // namespace graben

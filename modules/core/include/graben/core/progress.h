@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace graben {
+
+/// What a long job is doing: the name of its stage and how much of that stage is done, 0 to 1.
+struct Progress {
+  std::string stage;
+  double fraction = 0.0;
+};
+
+/// Called from the thread that started the job. May throw to stop the job; the exception reaches the caller.
+using ProgressCallback = std::function<void(const Progress&)>;
+
+/// A callback that draws one bar per stage on standard error if that is a terminal, and does nothing otherwise.
+ProgressCallback terminalProgress();
+
+/// Calls \a callback if there is one.
+void report(const ProgressCallback& callback, const std::string& stage, double fraction);
+
+} // namespace graben

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+
+namespace graben {
+
+/// The number of threads to use for a request; 0 asks for one per processor.
+unsigned threadCount(unsigned requested);
+
+/// Calls body(begin, end) over [0, count) in blocks of \a grain on \a threads threads (0: one per processor).
+///
+/// Block limits depend on \a grain alone, so a body that writes only to its own range gives the same result for
+/// every number of threads. The first exception thrown by a body is rethrown after all threads have stopped.
+template <typename Body>
+void parallelBlocks(std::size_t count, std::size_t grain, unsigned threads, const Body& body) {
+  if (count == 0)
+    return;
+  grain = std::max<std::size_t>(grain, 1);
+  const auto blocks = static_cast<std::ptrdiff_t>((count + grain - 1) / grain);
+  std::exception_ptr failure;
+  std::mutex failure_guard;
+#pragma omp parallel for schedule(dynamic) num_threads(static_cast<int>(threadCount(threads)))
+  for (std::ptrdiff_t b = 0; b < blocks; ++b) {
+    try {
+      const std::size_t begin = static_cast<std::size_t>(b) * grain;
+      body(begin, std::min(count, begin + grain));
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(failure_guard);
+      if (!failure)
+        failure = std::current_exception();
+    }
+  }
+  if (failure)
+    std::rethrow_exception(failure);
+}
+
+/// Calls body(i) for every i in [0, count); see parallelBlocks.
+template <typename Body>
+void parallelFor(std::size_t count, std::size_t grain, unsigned threads, const Body& body) {
+  parallelBlocks(count, grain, threads, [&body](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      body(i);
+  });
+}
+
+} // namespace graben

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "graben/mesh/triangle_mesh.h"
+
+#include <string>
+#include <vector>
+
+namespace graben {
+
+/// A fault stick: a polyline down a fault surface, as digitised on one section; 2 points or more.
+struct FaultStick {
+  Points points;
+};
+
+/// A fault as a triangulated, open, consistently oriented surface.
+struct FaultSurface {
+  std::string name;
+  TriangleMesh mesh;
+
+  /// A fault from a triangle mesh of any quality: duplicate vertices are joined, degenerate and duplicate triangles
+  /// dropped, each connected part oriented consistently where it can be (normals up on the whole: towards the hanging wall).
+  /// \param[in] weld distance under which vertices are one, in the mesh's units; 0 joins exact duplicates only
+  /// \throw InvalidInputError if no triangle is left
+  static FaultSurface fromMesh(std::string name, const TriangleMesh& mesh, double weld = 0.0);
+
+  /// A fault lofted from sticks given in any order and direction.
+  ///
+  /// Points that are not finite or repeat are dropped; sticks with fewer than 2 points left are dropped. Sticks are turned
+  /// to run the same way, put in order along strike (shortest path through the sticks, found from their geometry), resampled to
+  /// the same number of points by arc length and joined by triangles, the shorter diagonal first. Sharp turns in the
+  /// order are kept: nothing is smoothed, every stick lies in the surface.
+  /// \param[in] spacing largest edge along a stick after resampling, in the sticks' units; 0: sticks' own median point distance
+  /// \throw InvalidInputError if fewer than two sticks with two distinct points each are left
+  static FaultSurface loft(std::string name, const std::vector<FaultStick>& sticks, double spacing = 0.0);
+};
+
+/// The order of sticks along strike: a permutation of [0, sticks.size()) and for each stick whether it must be reversed so that all run
+/// the same way (downwards on the whole). Exposed for tests.
+struct StickOrder {
+  std::vector<std::size_t> order;
+  std::vector<bool> reversed; ///< by original index
+};
+StickOrder orderSticks(const std::vector<FaultStick>& sticks);
+
+} // namespace graben

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "graben/mesh/triangle_mesh.h"
+
+#include <vector>
+
+namespace graben {
+
+/// Which triangles meet at each edge. Edge e of triangle t runs from vertex e to vertex (e + 1) % 3 and has the index 3 t + e.
+class EdgeAdjacency {
+public:
+  static constexpr Index kBorder = -1;      ///< only one triangle has this edge
+  static constexpr Index kNonManifold = -2; ///< three or more have it, or two in the same direction
+
+  /// O(n log n) or better; deterministic.
+  explicit EdgeAdjacency(const TriangleMesh& mesh);
+
+  /// The half-edge on the other side of half-edge 3 t + e, or kBorder, or kNonManifold.
+  Index twin(Index half_edge) const { return twin_[static_cast<std::size_t>(half_edge)]; }
+  bool isBorder(Index half_edge) const { return twin(half_edge) == kBorder; }
+
+private:
+  std::vector<Index> twin_;
+};
+
+/// Closed loops of border half-edges as vertex lists, each in the direction of its triangles; O(n), deterministic.
+/// At a vertex where several loops touch, each loop keeps to its own fan of triangles.
+std::vector<std::vector<Index>> borderLoops(const TriangleMesh& mesh, const EdgeAdjacency& adjacency);
+
+} // namespace graben

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "graben/mesh/triangle_mesh.h"
+
+namespace graben {
+
+/// Connected components of a mesh, joined over shared vertices; numbered by falling triangle count, then by first triangle.
+struct Components {
+  std::vector<Index> of_vertex;            ///< component of each vertex, -1 if no triangle uses it
+  std::vector<Index> of_triangle;          ///< component of each triangle
+  std::vector<std::size_t> triangle_count; ///< triangles in each component, falling
+};
+
+/// O(vertices + triangles), deterministic.
+Components connectedComponents(const TriangleMesh& mesh);
+
+/// Writes the component of every vertex into mesh.piece (unreferenced vertices must have been removed).
+Components labelPieces(TriangleMesh& mesh);
+
+/// One mesh per component, with all per-vertex arrays.
+std::vector<TriangleMesh> splitComponents(const TriangleMesh& mesh, const Components& components);
+
+} // namespace graben
