@@ -7,6 +7,13 @@ namespace graben {
 Error::Error(std::string stage, const std::string& message)
   : pcl::PCLException(stage + ": " + message), stage_(std::move(stage)) {}
 
+const char* Error::what() const noexcept {
+  const char* text = pcl::PCLException::what();
+  while (*text == ':' || *text == ' ')
+    ++text;
+  return text;
+}
+
 IoError::IoError(const std::string& file, const std::string& message)
   : Error(file, message), file_(file) {}
 

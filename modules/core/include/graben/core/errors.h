@@ -16,6 +16,9 @@ public:
 
   const std::string& stage() const { return stage_; }
 
+  /// The message without the ": " that pcl::PCLException puts in front.
+  const char* what() const noexcept override;
+
 private:
   std::string stage_;
 };
