@@ -1,0 +1,106 @@
+#pragma once
+
+#include "graben/core/types.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace graben {
+
+/// Integer position on the global lattice.
+struct LatticeIndex {
+  std::int32_t i = 0;
+  std::int32_t j = 0;
+  std::int32_t k = 0;
+
+  LatticeIndex operator+(const LatticeIndex& o) const { return {i + o.i, j + o.j, k + o.k}; }
+  LatticeIndex operator-(const LatticeIndex& o) const { return {i - o.i, j - o.j, k - o.k}; }
+  bool operator==(const LatticeIndex& o) const { return i == o.i && j == o.j && k == o.k; }
+};
+
+/// Largest index in each direction that a key can hold.
+constexpr std::int32_t kLatticeLimit = (1 << 19) - 16;
+
+/// One number for a lattice index, ordered by i, then j, then k.
+inline std::uint64_t latticeKey(const LatticeIndex& p) {
+  constexpr std::int64_t offset = 1 << 19;
+  return (static_cast<std::uint64_t>(p.i + offset) << 40) | (static_cast<std::uint64_t>(p.j + offset) << 20) |
+         static_cast<std::uint64_t>(p.k + offset);
+}
+
+/// The regular lattice the surface is extracted on: cell (i,j,k) is the same place whatever data are loaded.
+struct Lattice {
+  double voxel_size = 1.0;          ///< h: edge of a cell, in the picks' units
+  Vector3 origin = Vector3::Zero(); ///< where lattice vertex (0,0,0) is
+
+  Vector3 position(const LatticeIndex& p) const {
+    return {origin.x() + p.i * voxel_size, origin.y() + p.j * voxel_size, origin.z() + p.k * voxel_size};
+  }
+  /// The cell that contains a point.
+  LatticeIndex cellOf(const Vector3& p) const {
+    return {static_cast<std::int32_t>(std::floor((p.x() - origin.x()) / voxel_size)),
+            static_cast<std::int32_t>(std::floor((p.y() - origin.y()) / voxel_size)),
+            static_cast<std::int32_t>(std::floor((p.z() - origin.z()) / voxel_size))};
+  }
+};
+
+/// A sparse table over the lattice: blocks of 8 x 8 x 8 entries, made when first written to.
+template <typename T>
+class BlockTable {
+public:
+  explicit BlockTable(T empty) : empty_(empty) {}
+
+  /// The entry at \a p, made if it is not there yet. References stay valid while the table lives.
+  T& operator[](const LatticeIndex& p) {
+    const std::uint64_t key = latticeKey({p.i >> 3, p.j >> 3, p.k >> 3});
+    if (key != last_key_ || last_ == nullptr) {
+      std::unique_ptr<Block>& block = blocks_[key];
+      if (!block) {
+        block = std::make_unique<Block>();
+        block->fill(empty_);
+      }
+      last_key_ = key;
+      last_ = block.get();
+    }
+    return (*last_)[offset(p)];
+  }
+
+  /// The entry at \a p, or the empty value; does not make a block and may be called from several threads.
+  T get(const LatticeIndex& p) const {
+    const auto found = blocks_.find(latticeKey({p.i >> 3, p.j >> 3, p.k >> 3}));
+    return found == blocks_.end() ? empty_ : (*found->second)[offset(p)];
+  }
+
+private:
+  using Block = std::array<T, 512>;
+  static std::size_t offset(const LatticeIndex& p) {
+    return static_cast<std::size_t>(((p.i & 7) << 6) | ((p.j & 7) << 3) | (p.k & 7));
+  }
+
+  T empty_;
+  std::unordered_map<std::uint64_t, std::unique_ptr<Block>> blocks_;
+  std::uint64_t last_key_ = 0;
+  Block* last_ = nullptr;
+};
+
+/// Corners and edges of a cell in the order of pcl::edgeTable and pcl::triTable.
+namespace cube {
+constexpr std::array<LatticeIndex, 8> kCorner = {{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1},
+                                                  {0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}}};
+constexpr std::array<std::array<int, 2>, 12> kEdge = {
+    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+/// The lower end of each edge and its axis (0: i, 1: j, 2: k).
+constexpr std::array<int, 12> kEdgeLow = {0, 1, 3, 0, 4, 5, 7, 4, 0, 1, 2, 3};
+constexpr std::array<int, 12> kEdgeAxis = {0, 2, 0, 2, 0, 2, 0, 2, 1, 1, 1, 1};
+/// The corners of each face and the neighbouring cell across it.
+constexpr std::array<std::array<int, 4>, 6> kFace = {
+    {{0, 3, 7, 4}, {1, 2, 6, 5}, {0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {3, 2, 6, 7}}};
+constexpr std::array<LatticeIndex, 6> kFaceNeighbor = {
+    {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
+} // namespace cube
+
+} // namespace graben

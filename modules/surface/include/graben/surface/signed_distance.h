@@ -1,0 +1,63 @@
+#pragma once
+
+#include "graben/features/tangent_planes.h"
+#include "graben/surface/fault_signature.h"
+
+#include <limits>
+#include <vector>
+
+namespace graben {
+
+struct SignedDistanceOptions {
+  double rho_plus_delta = 0.0; ///< the field is undefined where its foot lies farther than this from the data (Hoppe 1992, section 3.4)
+  double overhang = 0.0;       ///< farthest the foot may lie beyond the data's edge; 0: rho_plus_delta. Inside a sparse patch, where picks lie
+                               ///< all round, rho_plus_delta holds
+  double fault_reach = 0.0;    ///< farthest the field is carried from the last pick towards a fault; 0: no farther than elsewhere
+  double voxel_size = 1.0;     ///< h: values are asked for within one cell's diagonal of the surface
+  std::size_t blend = 1;       ///< planes a value is averaged over; 1: Hoppe's nearest plane alone
+};
+
+/// The field's value at a place.
+struct FieldValue {
+  double value = std::numeric_limits<double>::quiet_NaN(); ///< signed distance, NaN where the field is undefined
+  Index plane = -1;                                        ///< pick whose tangent plane is nearest, -1 if none is in reach
+  bool defined() const { return value == value; }
+};
+
+/// Hoppe's signed distance f(v) = (v - o) . n, seen from one side of the faults.
+///
+/// Beyond the paper: a value at v is asked for together with a fault signature. Only picks from which v has that signature take part, so signature 0
+/// gives the field of the picks that no fault hides, and the signature of a fault gives the field of the far side carried on through that fault.
+/// Thread-safe; holds references to what it is made from.
+class SignedDistance {
+public:
+  SignedDistance(const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
+                 const SignedDistanceOptions& options);
+
+  /// Buffers of one thread.
+  struct Scratch {
+    std::vector<Neighbor> candidates;
+    std::vector<Neighbor> visible;
+  };
+
+  FieldValue at(const Vector3& v, std::uint64_t signature, Scratch& scratch) const;
+
+  const SignedDistanceOptions& options() const { return options_; }
+  const FaultNetwork& faults() const { return faults_; }
+  const TangentPlanes& planes() const { return planes_; }
+  const NeighborGrid& grid() const { return grid_; }
+
+private:
+  void findVisible(const Vector3& v, std::uint64_t signature, bool near_faults, Scratch& scratch) const;
+  bool supported(const Vector3& foot, const Vector3& v, std::uint64_t signature, bool near_faults, Scratch& scratch) const;
+  bool surrounded(const Vector3& foot, const Vector3& normal, Scratch& scratch) const;
+  bool reachesFault(const Vector3& foot, const Scratch& scratch) const;
+
+  const NeighborGrid& grid_;
+  const TangentPlanes& planes_;
+  const FaultNetwork& faults_;
+  SignedDistanceOptions options_;
+  double query_radius_ = 0.0;
+};
+
+} // namespace graben

@@ -1,0 +1,33 @@
+#include "graben/surface/fault_signature.h"
+
+namespace graben {
+
+namespace {
+
+// splitmix64 (public domain, S. Vigna): spreads consecutive fault indices over 64 bits.
+std::uint64_t spread(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15ULL;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+} // namespace
+
+std::uint64_t faultSignature(const FaultNetwork& faults, const Vector3& a, const Vector3& b) {
+  Bounds box;
+  box.extend(a);
+  box.extend(b);
+  if (faults.empty() || !faults.bounds().overlaps(box))
+    return 0;
+  std::uint64_t signature = 0;
+  for (std::size_t f = 0; f < faults.size(); ++f) {
+    if (!faults.bvh(f).bounds().overlaps(box) || !faults.bvh(f).hits(a, b))
+      continue;
+    if (faults.crossings(f, a, b).size() % 2 == 1)
+      signature ^= spread(f);
+  }
+  return signature;
+}
+
+} // namespace graben
