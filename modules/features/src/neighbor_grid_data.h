@@ -1,0 +1,50 @@
+#pragma once
+
+#include "cell_lattice.h"
+#include "graben/features/neighbor_grid.h"
+#include "point_tree.h"
+
+#include <array>
+
+namespace graben::detail {
+
+/// The points of 4 x 4 x 4 cells; points of a cell, and the cells by their key, follow each other.
+struct Block {
+  std::uint64_t key = 0;
+  std::uint64_t occupied = 0; ///< bit c: cell c holds points
+  std::uint32_t first = 0;    ///< first point in the order
+  std::uint32_t count = 0;
+  std::array<std::uint16_t, 65> offset{}; ///< of each cell's first point from the block's first; not set in a crowded block
+
+  static constexpr std::uint32_t CROWDED = 4096;
+  bool crowded() const { return count > CROWDED; }
+};
+
+struct NeighborGridData {
+  CellLattice lattice;
+  OrderedPoints ordered;
+  std::vector<Block> blocks;
+  std::vector<std::int32_t> table; ///< open-addressing hash: block key -> position in blocks, -1 where free
+  unsigned table_shift = 63;
+  PointTree tree;
+
+  void build(const Points& points, double cell_size, unsigned threads);
+
+  const Block* findBlock(std::uint64_t key) const {
+    if (blocks.empty())
+      return nullptr;
+    for (std::size_t slot = slotOf(key);; slot = (slot + 1) & (table.size() - 1)) {
+      if (table[slot] < 0)
+        return nullptr;
+      if (blocks[static_cast<std::size_t>(table[slot])].key == key)
+        return &blocks[static_cast<std::size_t>(table[slot])];
+    }
+  }
+
+private:
+  std::size_t slotOf(std::uint64_t key) const { return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> table_shift); }
+  void buildBlocks(const std::vector<std::uint64_t>& keys, unsigned threads);
+  void buildTable();
+};
+
+} // namespace graben::detail
