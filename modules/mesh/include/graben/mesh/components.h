@@ -14,7 +14,8 @@ struct Components {
 /// O(vertices + triangles), deterministic.
 Components connectedComponents(const TriangleMesh& mesh);
 
-/// Writes the component of every vertex into mesh.piece (unreferenced vertices must have been removed).
+/// Writes the component of every vertex into mesh.piece.
+/// \throw InvalidInputError if there is a vertex no triangle uses (see removeUnreferencedVertices)
 Components labelPieces(TriangleMesh& mesh);
 
 /// One mesh per component, with all per-vertex arrays.

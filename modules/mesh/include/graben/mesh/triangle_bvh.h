@@ -35,9 +35,14 @@ struct SegmentHit {
 
 /// Bounding volume hierarchy over the triangles of one mesh. Holds its own copy of the corners; const methods are thread-safe.
 /// Build O(n log n); queries O(log n) in practice. Ties are broken by the lowest triangle index, so answers are deterministic.
+///
+/// Segment queries count what lies within rounding as touching: an end or edge closer than 8 units in the last place of the
+/// largest coordinate (of mesh and segment) is on it. So rounding never lets a segment slip through; a segment whose ends
+/// both lie in a triangle's plane, or are one point, does not hit that triangle.
 class TriangleBvh {
 public:
   TriangleBvh() = default;
+  /// \throw InvalidInputError if the mesh is not valid (see validate)
   explicit TriangleBvh(const TriangleMesh& mesh);
 
   bool empty() const { return corners_.empty(); }
@@ -52,6 +57,7 @@ public:
   std::optional<SegmentHit> firstHit(const Vector3& a, const Vector3& b) const;
 
   /// All hits in order of parameter; a hit on an edge or corner shared by several triangles comes once (the lowest triangle).
+  /// Triangles share a corner where its coordinates are the same.
   std::vector<SegmentHit> allHits(const Vector3& a, const Vector3& b) const;
 
   /// True if the segment hits the mesh; faster than firstHit.
@@ -66,15 +72,18 @@ public:
 private:
   struct Node {
     Bounds bounds;
-    Index first = 0; ///< leaf: first entry in order_; inner: index of the left child
+    Index first = 0; ///< leaf: first entry in order_ and corners_
     Index count = 0; ///< leaf: number of entries; inner: 0
-    Index right = 0; ///< inner: index of the right child
+    Index right = 0; ///< inner: the right child; the left one is the next node
   };
-  Index build(std::vector<Bounds>& boxes, Index first, Index last);
+  void build(const std::vector<Bounds>& boxes, Index first, Index last, int depth);
+  template <typename OnHit>
+  void walkSegment(const Vector3& a, const Vector3& b, const OnHit& on_hit) const;
 
-  std::vector<std::array<Vector3, 3>> corners_;
-  std::vector<Index> order_;
+  std::vector<std::array<Vector3, 3>> corners_; ///< in the order of order_
+  std::vector<Index> order_;                    ///< triangles, leaf by leaf
   std::vector<Node> nodes_;
+  double scale_ = 0.0; ///< largest absolute coordinate
 };
 
 } // namespace graben

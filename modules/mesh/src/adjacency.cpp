@@ -1,0 +1,92 @@
+#include "graben/mesh/adjacency.h"
+
+#include <algorithm>
+
+namespace graben {
+
+namespace {
+
+/// A half-edge listed at the lower of its two vertices.
+struct EdgeEntry {
+  Index high;
+  Index half_edge;
+  bool operator<(const EdgeEntry& other) const {
+    return high != other.high ? high < other.high : half_edge < other.half_edge;
+  }
+};
+
+Index startOf(const TriangleMesh& mesh, Index half_edge) {
+  return mesh.triangles[static_cast<std::size_t>(half_edge / 3)][static_cast<std::size_t>(half_edge % 3)];
+}
+
+Index nextInTriangle(Index half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
+
+bool repeatsVertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+/// All half-edges of proper triangles, grouped by lower vertex: those of vertex v are entries [first[v], first[v + 1]).
+void listEdges(const TriangleMesh& mesh, std::vector<std::size_t>& first, std::vector<EdgeEntry>& entries) {
+  first.assign(mesh.vertices.size() + 1, 0);
+  const auto visit = [&mesh](const auto& body) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const Triangle& triangle = mesh.triangles[t];
+      if (repeatsVertex(triangle))
+        continue;
+      for (std::size_t e = 0; e < 3; ++e)
+        body(std::minmax(triangle[e], triangle[(e + 1) % 3]), static_cast<Index>(3 * t + e));
+    }
+  };
+  visit([&first](const auto& ends, Index) { ++first[static_cast<std::size_t>(ends.first) + 1]; });
+  for (std::size_t v = 1; v < first.size(); ++v)
+    first[v] += first[v - 1];
+  entries.resize(first.back());
+  std::vector<std::size_t> cursor(first.begin(), first.end() - 1);
+  visit([&](const auto& ends, Index half_edge) {
+    entries[cursor[static_cast<std::size_t>(ends.first)]++] = {ends.second, half_edge};
+  });
+}
+
+} // namespace
+
+EdgeAdjacency::EdgeAdjacency(const TriangleMesh& mesh) : twin_(3 * mesh.triangles.size(), kNonManifold) {
+  std::vector<std::size_t> first;
+  std::vector<EdgeEntry> entries;
+  listEdges(mesh, first, entries);
+  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+    std::sort(entries.begin() + static_cast<std::ptrdiff_t>(first[v]),
+              entries.begin() + static_cast<std::ptrdiff_t>(first[v + 1]));
+    for (std::size_t i = first[v], j = i; i < first[v + 1]; i = j) {
+      while (j < first[v + 1] && entries[j].high == entries[i].high)
+        ++j;
+      const Index h = entries[i].half_edge;
+      if (j - i == 1) {
+        twin_[static_cast<std::size_t>(h)] = kBorder;
+      } else if (j - i == 2 && startOf(mesh, h) != startOf(mesh, entries[i + 1].half_edge)) {
+        const Index other = entries[i + 1].half_edge;
+        twin_[static_cast<std::size_t>(h)] = other;
+        twin_[static_cast<std::size_t>(other)] = h;
+      }
+    }
+  }
+}
+
+std::vector<std::vector<Index>> borderLoops(const TriangleMesh& mesh, const EdgeAdjacency& adjacency) {
+  std::vector<std::vector<Index>> loops;
+  const auto half_edges = static_cast<Index>(3 * mesh.triangles.size());
+  std::vector<bool> done(static_cast<std::size_t>(half_edges), false);
+  for (Index start = 0; start < half_edges; ++start) {
+    if (!adjacency.isBorder(start) || done[static_cast<std::size_t>(start)])
+      continue;
+    std::vector<Index>& loop = loops.emplace_back();
+    Index h = start;
+    do {
+      done[static_cast<std::size_t>(h)] = true;
+      loop.push_back(startOf(mesh, h));
+      h = nextInTriangle(h);
+      while (adjacency.twin(h) >= 0)
+        h = nextInTriangle(adjacency.twin(h));
+    } while (h != start);
+  }
+  return loops;
+}
+
+} // namespace graben
