@@ -1,0 +1,172 @@
+#include "graben/mesh/triangle_bvh.h"
+
+#include "graben/core/errors.h"
+#include "unit/mesh/meshes.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace graben {
+namespace {
+
+/// A mesh of each triangle alone answers for the brute force.
+std::vector<TriangleBvh> singles(const TriangleMesh& mesh) {
+  std::vector<TriangleBvh> result;
+  for (const Triangle& t : mesh.triangles) {
+    TriangleMesh one;
+    one.vertices = mesh.vertices;
+    one.triangles = {t};
+    removeUnreferencedVertices(one);
+    result.emplace_back(one);
+  }
+  return result;
+}
+
+class BvhAgainstBruteForce : public testing::TestWithParam<int> {
+protected:
+  BvhAgainstBruteForce() : generator_(static_cast<std::uint64_t>(GetParam())) {
+    const double cube = GetParam() % 2 == 0 ? 1.0 : 1e4;
+    mesh_ = test::soup(generator_, 30 * GetParam() + 1, cube, cube * 0.2);
+    cube_ = cube;
+  }
+  std::mt19937_64 generator_;
+  TriangleMesh mesh_;
+  double cube_ = 1.0;
+};
+
+TEST_P(BvhAgainstBruteForce, Nearest) {
+  const TriangleBvh bvh(mesh_);
+  for (int i = 0; i < 300; ++i) {
+    const Vector3 p = test::randomPoint(generator_, -1.5 * cube_, 1.5 * cube_);
+    const double reach = i % 3 == 0 ? 0.1 * cube_ : std::numeric_limits<double>::infinity();
+    Index best = -1;
+    double best2 = std::numeric_limits<double>::infinity();
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const TrianglePoint at = nearestPointOnTriangle(p, mesh_.vertices[3 * t], mesh_.vertices[3 * t + 1], mesh_.vertices[3 * t + 2]);
+      const double d2 = (at.point - p).squaredNorm();
+      if (d2 < best2 && std::sqrt(d2) <= reach) {
+        best2 = d2;
+        best = static_cast<Index>(t);
+      }
+    }
+    const MeshPoint found = bvh.nearest(p, reach);
+    ASSERT_EQ(found.triangle, best);
+    ASSERT_EQ(found.distance, std::sqrt(best2));
+  }
+}
+
+TEST_P(BvhAgainstBruteForce, Segments) {
+  const TriangleBvh bvh(mesh_);
+  const std::vector<TriangleBvh> each = singles(mesh_);
+  int crossed = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vector3 a = test::randomPoint(generator_, -1.2 * cube_, 1.2 * cube_);
+    Vector3 b = test::randomPoint(generator_, -1.2 * cube_, 1.2 * cube_);
+    if (i % 5 == 0)
+      b = a + Vector3::Unit(i % 3) * cube_; // along an axis
+    std::vector<SegmentHit> expected;
+    for (std::size_t t = 0; t < each.size(); ++t)
+      if (const auto hit = each[t].firstHit(a, b))
+        expected.push_back({static_cast<Index>(t), hit->parameter, hit->point});
+    std::stable_sort(expected.begin(), expected.end(),
+                     [](const SegmentHit& p, const SegmentHit& q) { return p.parameter < q.parameter; });
+    const std::vector<SegmentHit> all = bvh.allHits(a, b);
+    ASSERT_EQ(all.size(), expected.size());
+    for (std::size_t h = 0; h < all.size(); ++h) {
+      ASSERT_EQ(all[h].triangle, expected[h].triangle);
+      ASSERT_NEAR(all[h].parameter, expected[h].parameter, 1e-9); // the tolerance depends on the mesh's size
+    }
+    ASSERT_EQ(bvh.hits(a, b), !expected.empty());
+    const auto first = bvh.firstHit(a, b);
+    ASSERT_EQ(first.has_value(), !expected.empty());
+    if (first) {
+      ASSERT_EQ(first->triangle, expected.front().triangle);
+      ++crossed;
+    }
+  }
+  EXPECT_GT(crossed, GetParam() > 2 ? 30 : -1);
+}
+
+TEST_P(BvhAgainstBruteForce, Boxes) {
+  const TriangleBvh bvh(mesh_);
+  for (int i = 0; i < 100; ++i) {
+    Bounds box;
+    box.extend(test::randomPoint(generator_, -cube_, cube_));
+    box.extend(box.low + Vector3::Constant(0.3 * cube_));
+    std::vector<Index> found;
+    bvh.forEachInBox(box, [&found](Index t) {
+      found.push_back(t);
+      return true;
+    });
+    std::sort(found.begin(), found.end());
+    std::vector<Index> expected;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (boundsOf({mesh_.vertices[3 * t], mesh_.vertices[3 * t + 1], mesh_.vertices[3 * t + 2]}).overlaps(box))
+        expected.push_back(static_cast<Index>(t));
+    ASSERT_EQ(found, expected);
+    ASSERT_EQ(bvh.mayTouch(box), !expected.empty());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Soups, BvhAgainstBruteForce, testing::Values(0, 1, 2, 5, 10, 15));
+
+TEST(TriangleBvh, TiesGoToTheLowestTriangle) {
+  // The same triangles again and again: every query is a tie.
+  TriangleMesh mesh = test::gridMesh(3);
+  const TriangleMesh once = mesh;
+  for (int i = 0; i < 20; ++i)
+    mesh.triangles.insert(mesh.triangles.end(), once.triangles.begin(), once.triangles.end());
+  const TriangleBvh bvh(mesh);
+  std::mt19937_64 generator(3);
+  for (int i = 0; i < 200; ++i) {
+    const Vector3 p = test::randomPoint(generator, -0.5, 3.5);
+    EXPECT_LT(bvh.nearest(p).triangle, 18);
+    const auto hit = bvh.firstHit({p.x(), p.y(), -5}, {p.x(), p.y(), 5});
+    EXPECT_LT(hit ? hit->triangle : 0, 18);
+  }
+  EXPECT_EQ(bvh.nearest({1, 1, 2}).triangle, 0); // a corner of six triangles
+}
+
+TEST(TriangleBvh, AnswersNothingToNonsense) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const TriangleBvh nothing;
+  EXPECT_TRUE(nothing.empty());
+  EXPECT_TRUE(nothing.bounds().empty());
+  EXPECT_EQ(nothing.nearest({0, 0, 0}).triangle, -1);
+  EXPECT_FALSE(nothing.hits({0, 0, -1}, {0, 0, 1}));
+  EXPECT_FALSE(nothing.mayTouch(boundsOf({{0, 0, 0}})));
+  const TriangleBvh bvh(test::gridMesh(4));
+  EXPECT_EQ(bvh.nearest({nan, 0, 0}).triangle, -1);
+  EXPECT_EQ(bvh.nearest({0, 0, 0}, nan).triangle, -1);
+  EXPECT_EQ(bvh.nearest({0, 0, 3}, 2.0).triangle, -1);
+  EXPECT_EQ(bvh.nearest({0, 0, 3}, 3.0).distance, 3.0);
+  EXPECT_FALSE(bvh.hits({0, 0, -1}, {0, nan, 1}));
+  EXPECT_TRUE(bvh.allHits({nan, 0, 0}, {0, 0, 1}).empty());
+  EXPECT_FALSE(bvh.mayTouch(Bounds()));
+  TriangleMesh broken = test::gridMesh(1);
+  broken.triangles[0][1] = 77;
+  EXPECT_THROW(TriangleBvh{broken}, InvalidInputError);
+}
+
+TEST(TriangleBvh, ManyTrianglesInOnePlaceAndGeometricSeriesStayShallow) {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles.assign(5000, {0, 1, 2});
+  double x = 1e-300;
+  for (Index i = 0; i < 1900; ++i, x *= 2.0) { // doubling from 1e-300 to 1e272
+    const auto v = static_cast<Index>(mesh.vertices.size());
+    mesh.vertices.emplace_back(x, 0, 0);
+    mesh.vertices.emplace_back(1.5 * x, 0, 0);
+    mesh.vertices.emplace_back(x, x, 0);
+    mesh.triangles.push_back({v, v + 1, v + 2});
+  }
+  const TriangleBvh bvh(mesh);
+  EXPECT_EQ(bvh.nearest({0.1, 0.1, 0.5}).triangle, 0);
+}
+
+} // namespace
+} // namespace graben
