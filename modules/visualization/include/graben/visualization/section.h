@@ -1,0 +1,54 @@
+#pragma once
+
+#include "graben/mesh/triangle_mesh.h"
+#include "graben/visualization/offscreen.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace graben {
+
+/// A vertical plane through two points; x and y are used. Distance along the section counts from \a a.
+struct SectionLine {
+  Vector3 a = Vector3::Zero();
+  Vector3 b = Vector3::Zero();
+};
+
+/// One straight part of a section: (distance along the section, z) at both ends.
+struct SectionSegment {
+  std::array<Eigen::Vector2d, 2> ends;
+  Index triangle = -1;
+};
+
+/// Cuts a mesh with a vertical plane, between the two points of the line.
+///
+/// A triangle that lies in the plane gives no segment; one that touches it with an edge gives that edge once for the
+/// triangle on the positive side. In the order of the triangles; O(triangles).
+/// \throw InvalidInputError if the points of the line do not differ in x or y or are not finite
+std::vector<SectionSegment> cutMesh(const TriangleMesh& mesh, const SectionLine& line);
+
+/// What to draw; all in one frame, and must stay alive while it is drawn.
+struct SectionScene {
+  const TriangleMesh* mesh = nullptr;      ///< coloured by piece where it has pieces
+  std::vector<const TriangleMesh*> faults; ///< thick dark red
+  std::vector<const TriangleMesh*> truth;  ///< dashed black
+  const Points* picks = nullptr;           ///< those within the band are projected onto the section
+};
+
+struct SectionOptions {
+  double band = 0.0;                    ///< half width of the band of picks; 0: 1/100 of the section's length
+  ZPositive z_positive = ZPositive::Up; ///< Down lets z grow downwards
+  double vertical_exaggeration = 0.0;   ///< 0: as the content fills the picture
+  int width = 1600;                     ///< pixels
+  int height = 800;                     ///< pixels
+  std::string title;
+};
+
+/// Draws a cross-section with numbered axes and writes it as PNG, complete or not at all. Not thread-safe.
+/// \throw Error if the screen is not available; InvalidInputError as cutMesh, or if nothing meets the section;
+///        IoError if the file cannot be written
+void renderSection(const Offscreen& screen, const std::string& png, const SectionScene& scene, const SectionLine& line,
+                   const SectionOptions& options = {});
+
+} // namespace graben
