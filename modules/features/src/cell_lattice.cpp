@@ -10,7 +10,7 @@ namespace graben::detail {
 namespace {
 
 constexpr std::size_t SAMPLE = 1 << 14;
-constexpr double POINTS_PER_CELL = 3.0;
+constexpr double POINTS_PER_CELL = 3.5;
 constexpr unsigned MAX_FINE_BITS = 5;
 constexpr std::size_t GRAIN = 1 << 15;
 

@@ -48,7 +48,7 @@ private:
   double fine_size_inverse_ = 1.0;
 };
 
-/// The lattice that suits the finite points given by \a indices; cell_size 0: chosen so that an occupied cell holds about 3 points.
+/// The lattice that suits the finite points given by \a indices; cell_size 0: chosen so that an occupied cell holds about 3 to 4 points.
 CellLattice chooseLattice(const Points& points, const std::vector<Index>& indices, double cell_size, unsigned threads);
 
 } // namespace graben::detail

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace graben {
 namespace {
@@ -57,52 +58,83 @@ std::uint64_t axisMask(const CellRange& range, std::size_t axis, std::int64_t bl
   return MASKS.of[axis][low][high];
 }
 
+/// Calls visit(first, end) for runs of points in the block's cells selected.
+template <typename Visit>
+void visitRuns(const Block& block, std::uint64_t cells, const Visit& visit) {
+  while (cells != 0) {
+    const auto cell = static_cast<unsigned>(__builtin_ctzll(cells));
+    const std::uint64_t from_here = ~std::uint64_t(0) << cell;
+    const std::uint64_t unwanted = block.occupied & ~cells & from_here; // the next occupied cell that is not selected ends the run
+    const unsigned end = unwanted == 0 ? 64U : static_cast<unsigned>(__builtin_ctzll(unwanted));
+    visit(std::size_t(block.first) + block.offset[cell], std::size_t(block.first) + block.offset[end]);
+    if (end == 64)
+      return;
+    cells &= ~std::uint64_t(0) << end;
+  }
+}
+
 /// Calls visit(first, end) for runs of points in the cells of the range. Returns false, with some runs visited, if that would be too many points.
 template <typename Visit>
 bool visitRange(const NeighborGridData& data, const CellRange& range, std::size_t budget, const Visit& visit) {
+  bool within_budget = true;
+  const auto visitCounted = [&](std::size_t first, std::size_t end) {
+    within_budget = within_budget && end - first <= budget;
+    if (!within_budget)
+      return;
+    budget -= end - first;
+    visit(first, end);
+  };
   for (std::int64_t z = range.low[2] >> 2; z <= range.high[2] >> 2; ++z) {
-    const std::uint64_t z_mask = axisMask(range, 2, z);
+    const std::uint64_t z_mask = axisMask(range, 2, z), z_key = detail::spreadBits(static_cast<std::uint64_t>(z)) << 2;
     for (std::int64_t y = range.low[1] >> 2; y <= range.high[1] >> 2; ++y) {
       const std::uint64_t yz_mask = z_mask & axisMask(range, 1, y);
+      const std::uint64_t yz_key = z_key | detail::spreadBits(static_cast<std::uint64_t>(y)) << 1;
       for (std::int64_t x = range.low[0] >> 2; x <= range.high[0] >> 2; ++x) {
-        const Block* block = data.findBlock(detail::mortonKey(static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(y),
-                                                              static_cast<std::uint64_t>(z)));
+        const Block* block = data.findBlock(yz_key | detail::spreadBits(static_cast<std::uint64_t>(x)));
         if (block == nullptr)
           continue;
         if (block->crowded())
           return false;
-        std::uint64_t cells = block->occupied & yz_mask & axisMask(range, 0, x);
-        while (cells != 0) {
-          const auto cell = static_cast<unsigned>(__builtin_ctzll(cells));
-          cells &= cells - 1;
-          const std::size_t first = block->first + block->offset[cell];
-          const std::size_t end = block->first + block->offset[cell + 1];
-          if (end - first > budget)
-            return false;
-          budget -= end - first;
-          visit(first, end);
-        }
+        visitRuns(*block, block->occupied & yz_mask & axisMask(range, 0, x), visitCounted);
       }
     }
   }
-  return true;
+  return within_budget;
 }
 
+/// Working memory of a query, kept by each thread.
+struct Candidates {
+  std::vector<double> squared_distance;
+  std::vector<Index> index;
+  std::size_t count = 0;
+
+  void makeRoomFor(std::size_t more) {
+    if (count + more > index.size()) {
+      index.resize(2 * (count + more) + 256);
+      squared_distance.resize(index.size());
+    }
+  }
+};
+thread_local Candidates thread_candidates;
+
 /// All points within sqrt(limit), in no order; false if the tree would do better.
-bool gather(const NeighborGridData& data, const Vector3& query, double limit, std::size_t budget, std::vector<Neighbor>& out) {
+bool gather(const NeighborGridData& data, const Vector3& query, double limit, std::size_t budget, Candidates& out) {
   const CellRange range(data.lattice, query, std::sqrt(limit));
-  out.clear();
+  out.count = 0;
   if (range.blocks() > MAX_BLOCKS)
     return false;
   return visitRange(data, range, budget, [&](std::size_t first, std::size_t end) {
-    std::size_t count = out.size();
-    out.resize(count + (end - first));
+    out.makeRoomFor(end - first);
+    double* squared_distances = out.squared_distance.data();
+    Index* indices = out.index.data();
+    std::size_t count = out.count;
     for (std::size_t i = first; i < end; ++i) {
       const double squared_distance = data.ordered.squaredDistance(i, query);
-      out[count] = {data.ordered.index[i], squared_distance};
+      squared_distances[count] = squared_distance;
+      indices[count] = data.ordered.index[i];
       count += squared_distance <= limit ? 1 : 0;
     }
-    out.resize(count);
+    out.count = count;
   });
 }
 
@@ -119,32 +151,65 @@ double likelyRadius(const NeighborGridData& data, const Vector3& query, std::siz
   return data.lattice.cell_size * std::sqrt((wanted + 2.0 + 1.3 * std::sqrt(wanted)) / (3.14159 * points_per_cell));
 }
 
-void sortByDistance(std::vector<Neighbor>& neighbors) {
-  constexpr std::size_t FEW = 48;
-  if (neighbors.size() > FEW) {
-    std::sort(neighbors.begin(), neighbors.end(), closer);
-    return;
-  }
-  for (std::size_t i = 1; i < neighbors.size(); ++i) {
-    const Neighbor item = neighbors[i];
+constexpr std::size_t FEW = 64;
+
+void insertionSort(Neighbor* items, std::size_t count) {
+  for (std::size_t i = 1; i < count; ++i) {
+    const Neighbor item = items[i];
     std::size_t at = i;
-    for (; at > 0 && closer(item, neighbors[at - 1]); --at)
-      neighbors[at] = neighbors[at - 1];
-    neighbors[at] = item;
+    for (; at > 0 && closer(item, items[at - 1]); --at)
+      items[at] = items[at - 1];
+    items[at] = item;
   }
 }
 
+/// Sorts up to SLOTS candidates. Each one's rank is counted over 32-bit keys (the distance in float with the candidate's number in its last
+/// bits): a loop without branches that compilers vectorise. Insertion then puts right the few that float could not tell apart.
+template <std::size_t SLOTS>
+void rankSort(const Candidates& candidates, std::vector<Neighbor>& out) {
+  std::array<std::int32_t, SLOTS> keys;
+  keys.fill(std::numeric_limits<std::int32_t>::max());
+  for (std::size_t i = 0; i < candidates.count; ++i) {
+    const auto distance = static_cast<float>(candidates.squared_distance[i]);
+    std::int32_t bits = 0;
+    std::memcpy(&bits, &distance, sizeof bits);
+    keys[i] = (bits & ~static_cast<std::int32_t>(FEW - 1)) | static_cast<std::int32_t>(i);
+  }
+  out.resize(candidates.count);
+  for (std::size_t i = 0; i < candidates.count; ++i) {
+    std::int32_t rank = 0;
+    for (const std::int32_t key : keys)
+      rank += key < keys[i] ? 1 : 0;
+    out[static_cast<std::size_t>(rank)] = {candidates.index[i], candidates.squared_distance[i]};
+  }
+  insertionSort(out.data(), out.size());
+}
+
+/// The candidates, nearest first.
+void sorted(const Candidates& candidates, std::vector<Neighbor>& out) {
+  if (candidates.count <= 16)
+    return rankSort<16>(candidates, out);
+  if (candidates.count <= 32)
+    return rankSort<32>(candidates, out);
+  if (candidates.count <= FEW)
+    return rankSort<FEW>(candidates, out);
+  out.resize(candidates.count);
+  for (std::size_t i = 0; i < candidates.count; ++i)
+    out[i] = {candidates.index[i], candidates.squared_distance[i]};
+  std::sort(out.begin(), out.end(), closer);
+}
+
 /// The k nearest by cells alone, in no order; false if the tree would do better.
-bool nearestInCells(const NeighborGridData& data, const Vector3& query, std::size_t k, double limit, std::vector<Neighbor>& out) {
+bool nearestInCells(const NeighborGridData& data, const Vector3& query, std::size_t k, double limit, Candidates& out) {
   double radius = likelyRadius(data, query, k);
   const std::size_t budget = 256 + 16 * k;
   for (int attempt = 0; attempt < 4 && radius > 0.0; ++attempt) {
     const double squared = std::min(limit, radius * radius);
     if (!gather(data, query, squared, budget, out))
       return false;
-    if (out.size() >= k || squared == limit)
+    if (out.count >= k || squared == limit)
       return true;
-    const double ratio = static_cast<double>(k + 3) / static_cast<double>(out.size() + 1);
+    const double ratio = static_cast<double>(k + 3) / static_cast<double>(out.count + 1);
     radius *= std::min(2.5, std::max(1.25, std::sqrt(ratio)));
   }
   return false;
@@ -170,15 +235,14 @@ void NeighborGrid::nearest(const Vector3& query, std::size_t k, std::vector<Neig
   if (k == 0 || !query.allFinite() || !(max_distance >= 0.0))
     return;
   const double limit = max_distance * max_distance;
-  if (k == size() || !nearestInCells(*data_, query, k, limit, out))
+  Candidates& candidates = thread_candidates;
+  if (k < size() && nearestInCells(*data_, query, k, limit, candidates)) {
+    sorted(candidates, out);
+    out.resize(std::min(out.size(), k));
+  } else {
     data_->tree.nearest(data_->ordered, query, k, limit, out);
-  if (out.size() > 2 * k + 16) {
-    std::nth_element(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(k), out.end(), closer);
-    out.resize(k);
+    std::sort(out.begin(), out.end(), closer);
   }
-  sortByDistance(out);
-  if (out.size() > k)
-    out.resize(k);
 }
 
 void NeighborGrid::within(const Vector3& query, double radius, std::vector<Neighbor>& out) const {
@@ -186,9 +250,13 @@ void NeighborGrid::within(const Vector3& query, double radius, std::vector<Neigh
   if (size() == 0 || !query.allFinite() || !(radius >= 0.0))
     return;
   const double limit = radius * radius;
-  if (!gather(*data_, query, limit, std::numeric_limits<std::size_t>::max(), out))
+  Candidates& candidates = thread_candidates;
+  if (gather(*data_, query, limit, std::numeric_limits<std::size_t>::max(), candidates)) {
+    sorted(candidates, out);
+  } else {
     data_->tree.within(data_->ordered, query, limit, out);
-  sortByDistance(out);
+    std::sort(out.begin(), out.end(), closer);
+  }
 }
 
 Neighbor NeighborGrid::nearestOne(const Vector3& query, double max_distance) const {
@@ -199,9 +267,9 @@ Neighbor NeighborGrid::nearestOne(const Vector3& query, double max_distance) con
   const NeighborGridData& data = *data_;
   const double limit = max_distance * max_distance;
   double squared = data.lattice.cell_size * data.lattice.cell_size * 0.5;
-  for (int attempt = 0; attempt < 3; ++attempt, squared *= 4.0) {
+  for (int attempt = 0; attempt < 4; ++attempt, squared *= 4.0) {
     const CellRange range(data.lattice, query, std::sqrt(std::min(squared, limit)));
-    const bool done = range.blocks() <= MAX_BLOCKS && visitRange(data, range, 256, [&](std::size_t first, std::size_t end) {
+    const bool done = range.blocks() <= MAX_BLOCKS && visitRange(data, range, 1024, [&](std::size_t first, std::size_t end) {
       for (std::size_t i = first; i < end; ++i) {
         const Neighbor candidate{data.ordered.index[i], data.ordered.squaredDistance(i, query)};
         if (closer(candidate, best))

@@ -41,7 +41,7 @@ void checkAgainstBruteForce(const Points& points, double length) {
   ASSERT_GT(grid.cellSize(), 0.0);
   test::Random random(7);
   std::vector<Neighbor> found;
-  for (int q = 0; q < 150; ++q) {
+  for (int q = 0; q < 60; ++q) {
     Vector3 query = points[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(points.size())))];
     if (q % 3 == 1)
       query += Vector3(random.normal(length), random.normal(length), random.normal(length));

@@ -31,7 +31,7 @@ public:
   NeighborGrid();
 
   /// \param[in] points kept by reference: must outlive the grid and not change
-  /// \param[in] cell_size edge of a cell in the points' units; 0 (or not finite) picks one so that an occupied cell holds about 3 points
+  /// \param[in] cell_size edge of a cell in the points' units; 0 (or not finite) picks one so that an occupied cell holds about 3 to 4 points
   /// \param[in] threads used by the build; 0: one per processor
   explicit NeighborGrid(const Points& points, double cell_size = 0.0, unsigned threads = 0);
 
