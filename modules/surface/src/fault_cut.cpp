@@ -1,0 +1,104 @@
+#include "graben/surface/fault_cut.h"
+
+#include "cut_state.h"
+
+#include "graben/core/threads.h"
+
+#include <algorithm>
+
+namespace graben {
+
+namespace {
+
+double medianEdge(const TriangleMesh& mesh) {
+  std::vector<double> lengths;
+  const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / 10000);
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += step) {
+    const Triangle& triangle = mesh.triangles[t];
+    lengths.push_back((mesh.vertices[static_cast<std::size_t>(triangle[0])] -
+                       mesh.vertices[static_cast<std::size_t>(triangle[1])]).norm());
+  }
+  if (lengths.empty())
+    return 1.0;
+  std::nth_element(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2), lengths.end());
+  return lengths[lengths.size() / 2];
+}
+
+double toleranceOf(const TriangleMesh& mesh, const FaultCutOptions& options) {
+  return options.tolerance > 0.0 ? options.tolerance : 0.02 * medianEdge(mesh);
+}
+
+/// The corner of a triangle to ask on which side it lies: the first off all faults, or else the centroid.
+Vector3 witness(const CutMesh& cut, const Triangle& t) {
+  for (const Index v : t)
+    if (!cut.onFault(v))
+      return cut.mesh.vertices[static_cast<std::size_t>(v)];
+  Vector3 sum = Vector3::Zero();
+  for (const Index v : t)
+    sum += cut.mesh.vertices[static_cast<std::size_t>(v)];
+  return sum / 3.0;
+}
+
+/// Leaves out the triangles that lie beyond the fault, seen from the corners of their sheet.
+void trim(CutState& state, const std::vector<Points>& homes, const FaultNetwork& faults, unsigned threads) {
+  std::vector<Triangle>& triangles = state.out.mesh.triangles;
+  std::vector<std::uint8_t> keep(triangles.size(), 1);
+  parallelFor(triangles.size(), 1024, threads, [&](std::size_t t) {
+    if (state.home[t] < 0)
+      return;
+    const Points& home = homes[static_cast<std::size_t>(state.home[t])];
+    const Vector3 p = witness(state.out, triangles[t]);
+    keep[t] = std::any_of(home.begin(), home.end(), [&](const Vector3& corner) { return sameSide(faults, corner, p); }) ? 1 : 0;
+  });
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (keep[t] == 0)
+      continue;
+    triangles[kept] = triangles[t];
+    state.home[kept++] = state.home[t];
+  }
+  triangles.resize(kept);
+  state.home.resize(kept);
+}
+
+CutState cutAll(const TriangleMesh& mesh, const FaultNetwork& faults, double tolerance, unsigned threads, std::vector<Index> home) {
+  validate(mesh, "cutting along the faults");
+  CutState state;
+  state.out.mesh = mesh;
+  state.out.vertex_faults.assign(mesh.vertices.size(), {-1, -1});
+  state.home = std::move(home);
+  for (std::size_t f = 0; f < faults.size(); ++f)
+    cutAlongFault(state, faults, f, tolerance, threads);
+  return state;
+}
+
+} // namespace
+
+void removeUnreferencedVertices(CutMesh& cut) {
+  std::vector<std::uint8_t> used(cut.mesh.vertices.size(), 0);
+  for (const Triangle& t : cut.mesh.triangles)
+    for (const Index v : t)
+      used[static_cast<std::size_t>(v)] = 1;
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (used[v] != 0)
+      cut.vertex_faults[kept++] = cut.vertex_faults[v];
+  cut.vertex_faults.resize(kept);
+  removeUnreferencedVertices(cut.mesh);
+}
+
+CutMesh cutAlongFaults(const TriangleMesh& mesh, const FaultNetwork& faults, const FaultCutOptions& options) {
+  CutState state = cutAll(mesh, faults, toleranceOf(mesh, options), options.threads, {});
+  openCuts(state);
+  return std::move(state.out);
+}
+
+CutMesh cutSheets(const SheetMesh& sheets, const FaultNetwork& faults, const FaultCutOptions& options) {
+  CutState state = cutAll(sheets.mesh, faults, toleranceOf(sheets.mesh, options), options.threads, sheets.home);
+  trim(state, sheets.homes, faults, options.threads);
+  openCuts(state);
+  removeUnreferencedVertices(state.out);
+  return std::move(state.out);
+}
+
+} // namespace graben
