@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/faults/fault_surface.h"
+#include "graben/faults/pseudo_normals.h"
 #include "graben/mesh/triangle_bvh.h"
 
 #include <optional>
@@ -81,8 +82,13 @@ public:
   bool mayTouch(const Bounds& box) const;
 
 private:
+  FaultCrossing crossing(std::size_t fault, const SegmentHit& hit, const Vector3& run) const;
+  FaultPoint faultPoint(std::size_t fault, const Vector3& p, const MeshPoint& found) const;
+
   std::vector<FaultSurface> faults_;
   std::vector<TriangleBvh> bvhs_;
+  std::vector<PseudoNormals> normals_;
+  std::vector<double> tolerances_; // distance under which a point is on the fault
   std::vector<FaultBranch> branches_;
   Bounds bounds_;
 };

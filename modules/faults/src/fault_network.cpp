@@ -1,0 +1,122 @@
+#include "graben/faults/fault_network.h"
+
+#include "graben/core/errors.h"
+#include "graben/mesh/normals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graben {
+namespace {
+
+constexpr double kOnFault = 1e-11; // distance, relative to the size of the coordinates, that counts as on the fault
+
+void check(const FaultSurface& fault) {
+  const std::string stage = "building the fault network";
+  if (fault.mesh.empty())
+    throw InvalidInputError(stage, "Fault " + fault.name + " has no triangles.");
+  validate(fault.mesh, stage + ", fault " + fault.name);
+}
+
+Bounds boundsOfSegment(const Vector3& a, const Vector3& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
+
+} // namespace
+
+FaultNetwork::FaultNetwork(std::vector<FaultSurface> faults, double branch_reach) : faults_(std::move(faults)) {
+  if (!std::isfinite(branch_reach) || branch_reach < 0.0)
+    throw InvalidInputError("building the fault network", "The branch reach must be zero or positive.");
+  for (const FaultSurface& fault : faults_)
+    check(fault);
+  bvhs_.reserve(faults_.size());
+  for (const FaultSurface& fault : faults_) {
+    bvhs_.emplace_back(fault.mesh);
+    normals_.emplace_back(fault.mesh);
+    bounds_.extend(bvhs_.back().bounds());
+    const Bounds& box = bvhs_.back().bounds();
+    const double size = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+    tolerances_.push_back(kOnFault * std::max(size, box.diagonal()));
+  }
+}
+
+bool FaultNetwork::crosses(const Vector3& a, const Vector3& b) const {
+  const Bounds box = boundsOfSegment(a, b);
+  if (!box.overlaps(bounds_))
+    return false;
+  return std::any_of(bvhs_.begin(), bvhs_.end(),
+                     [&](const TriangleBvh& bvh) { return box.overlaps(bvh.bounds()) && bvh.hits(a, b); });
+}
+
+FaultCrossing FaultNetwork::crossing(std::size_t fault, const SegmentHit& hit, const Vector3& run) const {
+  const TriangleMesh& mesh = faults_[fault].mesh;
+  const double along = areaNormal(mesh, mesh.triangles[static_cast<std::size_t>(hit.triangle)]).dot(run);
+  return {static_cast<Index>(fault), hit.triangle, hit.parameter, hit.point, along < 0.0 ? -1 : 1};
+}
+
+std::optional<FaultCrossing> FaultNetwork::firstCrossing(const Vector3& a, const Vector3& b) const {
+  const Bounds box = boundsOfSegment(a, b);
+  std::optional<FaultCrossing> first;
+  if (!box.overlaps(bounds_))
+    return first;
+  for (std::size_t i = 0; i < bvhs_.size(); ++i) {
+    if (!box.overlaps(bvhs_[i].bounds()))
+      continue;
+    const auto hit = bvhs_[i].firstHit(a, b);
+    if (hit && (!first || hit->parameter < first->parameter))
+      first = crossing(i, *hit, b - a);
+  }
+  return first;
+}
+
+std::vector<FaultCrossing> FaultNetwork::crossings(std::size_t fault, const Vector3& a, const Vector3& b) const {
+  std::vector<FaultCrossing> result;
+  for (const SegmentHit& hit : bvhs_[fault].allHits(a, b))
+    result.push_back(crossing(fault, hit, b - a));
+  return result;
+}
+
+FaultPoint FaultNetwork::faultPoint(std::size_t fault, const Vector3& p, const MeshPoint& found) const {
+  if (found.triangle < 0)
+    return {};
+  const PseudoNormals::Normal normal = normals_[fault].at(found);
+  FaultPoint result;
+  result.fault = static_cast<Index>(fault);
+  result.triangle = found.triangle;
+  result.point = found.point;
+  result.normal = normal.direction;
+  result.distance = found.distance;
+  result.at_border = normal.at_border;
+  if (found.distance > tolerances_[fault])
+    result.side = (p - found.point).dot(normal.direction) < 0.0 ? -1 : 1;
+  return result;
+}
+
+FaultPoint FaultNetwork::nearest(const Vector3& p, double max_distance) const {
+  MeshPoint best;
+  std::size_t fault = 0;
+  for (std::size_t i = 0; i < bvhs_.size(); ++i) {
+    const Bounds& box = bvhs_[i].bounds();
+    const double at_least = (p - p.cwiseMax(box.low).cwiseMin(box.high)).norm();
+    if (best.triangle >= 0 ? at_least >= best.distance : at_least > max_distance)
+      continue;
+    const MeshPoint found = bvhs_[i].nearest(p, std::min(max_distance, best.distance));
+    if (found.triangle >= 0 && (best.triangle < 0 || found.distance < best.distance)) {
+      best = found;
+      fault = i;
+    }
+  }
+  return best.triangle < 0 ? FaultPoint{} : faultPoint(fault, p, best);
+}
+
+FaultPoint FaultNetwork::nearest(std::size_t fault, const Vector3& p, double max_distance) const {
+  return faultPoint(fault, p, bvhs_[fault].nearest(p, max_distance));
+}
+
+int FaultNetwork::side(std::size_t fault, const Vector3& p) const { return nearest(fault, p).side; }
+
+bool FaultNetwork::mayTouch(const Bounds& box) const {
+  return box.overlaps(bounds_) && std::any_of(bvhs_.begin(), bvhs_.end(), [&box](const TriangleBvh& bvh) {
+           return box.overlaps(bvh.bounds()) && bvh.mayTouch(box);
+         });
+}
+
+} // namespace graben
