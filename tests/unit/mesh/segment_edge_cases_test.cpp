@@ -120,6 +120,10 @@ TEST(SegmentEdgeCases, InThePlaneOrBesideTheMeshIsNoHit) {
   EXPECT_FALSE(bvh.hits({0.2, 0.3, 0}, {3, 2, 0}));
   EXPECT_FALSE(bvh.hits({-1e-9, 2, -1}, {-1e-9, 2, 1}));
   EXPECT_FALSE(bvh.hits({1, 1, 0}, {1, 1, 0}));
+  TriangleMesh corner = test::gridMesh(1);
+  corner.triangles.pop_back();
+  EXPECT_FALSE(TriangleBvh(corner).hits({0.2, 0.8, 0}, {0.2, 0.8, 1})); // starts in the plane, in the box, outside
+  EXPECT_FALSE(TriangleBvh(corner).hits({0.2, 0.8, 1}, {0.2, 0.8, 0}));
   EXPECT_TRUE(bvh.hits({0, 2, -1}, {0, 2, 1})); // on the border
 }
 

@@ -152,20 +152,28 @@ TEST(TriangleBvh, AnswersNothingToNonsense) {
   EXPECT_THROW(TriangleBvh{broken}, InvalidInputError);
 }
 
-TEST(TriangleBvh, ManyTrianglesInOnePlaceAndGeometricSeriesStayShallow) {
+TEST(TriangleBvh, ManyTrianglesInOnePlaceAreNoTrouble) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.triangles.assign(5000, {0, 1, 2});
-  double x = 1e-300;
-  for (Index i = 0; i < 1900; ++i, x *= 2.0) { // doubling from 1e-300 to 1e272
-    const auto v = static_cast<Index>(mesh.vertices.size());
+  const TriangleBvh bvh(mesh);
+  EXPECT_EQ(bvh.nearest({0.1, 0.1, 0.5}).triangle, 0);
+  EXPECT_EQ(bvh.firstHit({0.1, 0.1, 0.5}, {0.1, 0.1, -0.5})->triangle, 0);
+}
+
+TEST(TriangleBvh, AGeometricSeriesStaysShallow) {
+  TriangleMesh mesh;
+  double x = 1e-150;
+  for (Index i = 0; i < 1900; ++i, x *= 1.4) { // to 1e127; halving by space alone would be hundreds deep
+    const Index v = 3 * i;
     mesh.vertices.emplace_back(x, 0, 0);
-    mesh.vertices.emplace_back(1.5 * x, 0, 0);
+    mesh.vertices.emplace_back(1.1 * x, 0, 0);
     mesh.vertices.emplace_back(x, x, 0);
     mesh.triangles.push_back({v, v + 1, v + 2});
   }
   const TriangleBvh bvh(mesh);
-  EXPECT_EQ(bvh.nearest({0.1, 0.1, 0.5}).triangle, 0);
+  EXPECT_EQ(bvh.nearest({0, 0, 0}).triangle, 0);
+  EXPECT_EQ(bvh.nearest({1e130, 0, 0}).triangle, 1899);
 }
 
 } // namespace
