@@ -238,8 +238,11 @@ void addSurface(vtkRenderer* plot, Annotations& notes, const TriangleMesh& mesh,
                 const Picture& picture) {
   const RenderOptions& options = picture.options;
   DrawnMesh drawn{mesh, shown.triangles, std::nullopt};
-  if (options.zoom)
-    drawn.crop = shown.bounds;
+  if (options.zoom) { // with room in z: a level surface must not lie on the edge of the box
+    drawn.crop = shown.margin;
+    drawn.crop->low.head<2>() = shown.bounds.low.head<2>();
+    drawn.crop->high.head<2>() = shown.bounds.high.head<2>();
+  }
   if (options.color_by == ColorBy::Piece) {
     plot->AddActor(surfaceActor(drawn, picture.space, nullptr, options.edges));
     drawPieceLegend(notes, *std::max_element(mesh.piece.begin(), mesh.piece.end()) + 1);
@@ -261,8 +264,8 @@ void addActors(vtkRenderer* plot, Annotations& notes, const SurfaceScene& scene,
   for (const TriangleMesh* fault : scene.faults)
     plot->AddActor(faultActor({*fault, fault->triangles, shown.margin}, picture.space));
   if (scene.picks != nullptr)
-    plot->AddActor(
-        picture.lifted(pickActor(*scene.picks, scene.pick_piece, picture.space, shown.margin, 2.5 * stroke)));
+    plot->AddActor(picture.lifted(
+        pickActor(*scene.picks, scene.pick_piece, picture.space, shown.margin, std::max(2.0, 2.5 * stroke))));
   for (const Points& line : scene.polylines)
     plot->AddActor(picture.lifted(lineActor(line, picture.space, 3.0 * stroke)));
 }

@@ -1,0 +1,67 @@
+#include "source_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace graben::test {
+namespace {
+
+TEST(Files, StaySmall) {
+  constexpr std::size_t kMostLines = 600;
+  constexpr std::size_t kMedianLines = 150;
+  std::vector<std::size_t> lengths;
+  for (const SourceFile& file : sourceTree()) {
+    if (!file.isCpp())
+      continue;
+    EXPECT_LE(file.lines.size(), kMostLines) << file.path << " wants to be split";
+    lengths.push_back(file.lines.size());
+  }
+  ASSERT_GT(lengths.size(), 10U) << "the source tree was not found";
+  std::nth_element(lengths.begin(), lengths.begin() + lengths.size() / 2, lengths.end());
+  EXPECT_LE(lengths[lengths.size() / 2], kMedianLines);
+}
+
+TEST(Files, LinesStayShort) {
+  constexpr std::size_t kWidest = 160;
+  for (const SourceFile& file : sourceTree())
+    for (std::size_t i = 0; file.isCpp() && i < file.lines.size(); ++i)
+      EXPECT_LE(file.lines[i].size(), kWidest) << file.path << ":" << i + 1;
+}
+
+TEST(Files, NothingIsLeftForLater) {
+  const auto word = [](const std::string& first, const std::string& second) { return first + second; };
+  const std::vector<std::string> forbidden = {word("TO", "DO"),           word("FIX", "ME"),         word("XX", "X:"),
+                                              word("HA", "CK"),           word("not imple", "mented"), word("place", "holder"),
+                                              word("-march", "=native"),  word("-ffast", "-math ")};
+  for (const SourceFile& file : sourceTree())
+    for (std::size_t i = 0; i < file.lines.size(); ++i)
+      for (const std::string& text : forbidden)
+        EXPECT_EQ(file.lines[i].find(text), std::string::npos) << file.path << ":" << i + 1 << " has '" << text << "'";
+}
+
+TEST(Files, NoPathsOfOneMachine) {
+  const std::vector<std::string> forbidden = {std::string("/wo") + "rk/", std::string("/ho") + "me/"};
+  for (const SourceFile& file : sourceTree())
+    for (std::size_t i = 0; i < file.lines.size(); ++i)
+      for (const std::string& text : forbidden)
+        EXPECT_EQ(file.lines[i].find(text), std::string::npos) << file.path << ":" << i + 1;
+}
+
+TEST(Files, EveryModuleSaysWhatItIs) {
+  for (const auto& entry : std::filesystem::directory_iterator(GRABEN_SOURCE_DIR "/modules"))
+    EXPECT_TRUE(!entry.is_directory() || std::filesystem::exists(entry.path() / "README.md"))
+        << entry.path() << " has no README.md";
+}
+
+TEST(Files, TopLevelIsFixed) {
+  const std::set<std::string> rooms = {"modules",     "tools",     "tests",   "config", "CMakeLists.txt",
+                                       "package.xml", "README.md", "LICENSE", "build",  "install", "log", "results"};
+  for (const auto& entry : std::filesystem::directory_iterator(GRABEN_SOURCE_DIR)) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_TRUE(name.front() == '.' || name.rfind("build", 0) == 0 || rooms.count(name)) << name;
+  }
+}
+
+} // namespace
+} // namespace graben::test

@@ -1,0 +1,102 @@
+#include "source_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+#include <set>
+
+namespace graben::test {
+namespace {
+
+/// Which modules each module may include, beside itself.
+const std::map<std::string, std::set<std::string>> kMayInclude = {
+    {"core", {}},
+    {"mesh", {"core"}},
+    {"faults", {"core", "mesh"}},
+    {"features", {"core", "mesh", "faults"}},
+    {"filters", {"core", "mesh", "faults"}},
+    {"surface", {"core", "mesh", "faults", "features", "filters"}},
+    {"analysis", {"core", "mesh", "faults", "features", "filters", "surface"}},
+    {"model", {"core", "mesh", "faults", "features", "filters", "surface"}},
+    {"io", {"core", "mesh", "faults"}},
+    {"synthetic", {"core", "mesh", "faults"}},
+    {"visualization", {"core", "mesh", "faults"}},
+    {"pipeline", {"core", "mesh", "faults", "features", "filters", "surface", "analysis", "model"}},
+};
+
+std::string moduleOf(const SourceFile& file) {
+  const auto first = file.path.find('/') + 1;
+  return file.path.substr(first, file.path.find('/', first) - first);
+}
+
+/// What a line includes, without quotes or angles; empty if it is no include.
+std::string included(const std::string& line) {
+  static const std::regex kInclude(R"(^\s*#\s*include\s*["<]([^">]+)[">].*)");
+  std::smatch match;
+  return std::regex_match(line, match, kInclude) ? match[1].str() : std::string();
+}
+
+TEST(Includes, KeepTheDirectionBetweenModules) {
+  for (const SourceFile& file : sourceTree()) {
+    if (!file.under("modules/") || !file.isCpp())
+      continue;
+    const std::string module = moduleOf(file);
+    ASSERT_TRUE(kMayInclude.count(module)) << module << " is no known module: add it to the list in this test";
+    for (const std::string& line : file.lines) {
+      const std::string what = included(line);
+      if (what.rfind("graben/", 0) != 0)
+        continue;
+      const std::string other = what.substr(7, what.find('/', 7) - 7);
+      EXPECT_TRUE(other == module || kMayInclude.at(module).count(other)) << file.path << " includes " << what;
+    }
+  }
+}
+
+TEST(Includes, PrivateHeadersStayInTheirModule) {
+  for (const SourceFile& file : sourceTree()) {
+    if (!file.isCpp() || !(file.under("modules/") || file.under("tools/")))
+      continue;
+    for (const std::string& line : file.lines)
+      EXPECT_EQ(included(line).find(".."), std::string::npos) << file.path << ": " << line;
+  }
+}
+
+TEST(Includes, NoVtkInPublicHeaders) {
+  for (const SourceFile& file : sourceTree()) {
+    if (file.path.find("/include/graben/") == std::string::npos)
+      continue;
+    for (const std::string& line : file.lines)
+      EXPECT_NE(included(line).rfind("vtk", 0), 0U) << file.path << ": " << line;
+  }
+}
+
+TEST(Includes, PublicHeadersGuardThemselves) {
+  for (const SourceFile& file : sourceTree())
+    EXPECT_TRUE(file.extension() != ".h" || (!file.lines.empty() && file.lines.front() == "#pragma once")) << file.path;
+}
+
+/// A source that includes its own header first proves that the header needs nothing before it.
+/// CMakeLists.txt compiles the public headers without such a source one by one.
+TEST(Includes, SourcesIncludeTheirOwnHeaderFirst) {
+  const std::vector<SourceFile> files = sourceTree();
+  std::set<std::string> paths;
+  for (const SourceFile& file : files)
+    paths.insert(file.path);
+  for (const SourceFile& file : files) {
+    if (!file.under("modules/") || file.extension() != ".cpp")
+      continue;
+    const std::string module = moduleOf(file);
+    const std::string stem = std::filesystem::path(file.path).stem().string();
+    if (!paths.count("modules/" + module + "/include/graben/" + module + "/" + stem + ".h"))
+      continue;
+    std::string first;
+    for (const std::string& line : file.lines)
+      if (first.empty())
+        first = included(line);
+    EXPECT_EQ(first, "graben/" + module + "/" + stem + ".h") << file.path;
+  }
+}
+
+} // namespace
+} // namespace graben::test
