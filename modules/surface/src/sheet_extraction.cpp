@@ -28,6 +28,8 @@ public:
     numberEdges();
     SheetMesh out;
     placeVertices(out.mesh);
+    if (options_.snap > 0.0)
+      snap(out.mesh);
     writeTriangles(out);
     out.cells = cells_.size();
     return out;
@@ -94,18 +96,25 @@ private:
 
   Index vertexOf(const SheetCell& cell, int edge) const {
     const GhostEdge ends = endsOf(cell, edge);
-    if (isReal(ends))
-      return vertex_[slot(ends.low, cube::kEdgeAxis[static_cast<std::size_t>(edge)])];
+    const Index v = isReal(ends) ? vertex_[slot(ends.low, cube::kEdgeAxis[static_cast<std::size_t>(edge)])] : ghostVertex(ends);
+    return snapped_.empty() ? v : snapped_[static_cast<std::size_t>(v)];
+  }
+
+  Index ghostVertex(const GhostEdge& ends) const {
     return real_count_ + static_cast<Index>(std::lower_bound(ghosts_.begin(), ghosts_.end(), ends) - ghosts_.begin());
   }
 
+  double parameterOn(const GhostEdge& edge) const {
+    const double low = nodes_[static_cast<std::size_t>(edge.low)].field.value;
+    const double high = nodes_[static_cast<std::size_t>(edge.high)].field.value;
+    return (options_.iso_level - low) / (high - low);
+  }
+
   Vector3 placeOn(const GhostEdge& edge) const {
-    const SheetNode& low = nodes_[static_cast<std::size_t>(edge.low)];
-    const SheetNode& high = nodes_[static_cast<std::size_t>(edge.high)];
     // Kept off the lattice vertices, so that no triangle loses its area.
-    const double t = std::clamp((options_.iso_level - low.field.value) / (high.field.value - low.field.value), 0.005, 0.995);
-    const Vector3 a = options_.lattice.position(low.at);
-    return a + t * (options_.lattice.position(high.at) - a);
+    const double t = std::clamp(parameterOn(edge), 0.005, 0.995);
+    const Vector3 a = options_.lattice.position(nodes_[static_cast<std::size_t>(edge.low)].at);
+    return a + t * (options_.lattice.position(nodes_[static_cast<std::size_t>(edge.high)].at) - a);
   }
 
   void placeVertices(TriangleMesh& mesh) const {
@@ -117,6 +126,43 @@ private:
     });
     for (std::size_t g = 0; g < ghosts_.size(); ++g)
       mesh.vertices[static_cast<std::size_t>(real_count_) + g] = placeOn(ghosts_[g]);
+  }
+
+  /// The lattice vertex a mesh vertex is drawn to, -1 if it is too far from both ends of its edge.
+  Index snapTarget(const GhostEdge& edge) const {
+    const double t = parameterOn(edge);
+    return t < options_.snap ? edge.low : t > 1.0 - options_.snap ? edge.high : -1;
+  }
+
+  /// Joins the vertices drawn to the same lattice vertex in their mean; vertices are numbered anew in the order of the first of each group.
+  void snap(TriangleMesh& mesh) {
+    std::vector<GhostEdge> edges(mesh.vertices.size());
+    for (std::size_t s = 0; s < upper_.size(); ++s)
+      if (vertex_[s] >= 0)
+        edges[static_cast<std::size_t>(vertex_[s])] = {static_cast<Index>(s / 3), upper_[s].load(std::memory_order_relaxed)};
+    std::copy(ghosts_.begin(), ghosts_.end(), edges.begin() + real_count_);
+
+    std::vector<Index> group(nodes_.size(), -1);
+    std::vector<int> members;
+    Points sums;
+    snapped_.resize(edges.size());
+    for (std::size_t v = 0; v < edges.size(); ++v) {
+      const Index target = snapTarget(edges[v]);
+      Index id = target < 0 ? -1 : group[static_cast<std::size_t>(target)];
+      if (id < 0) {
+        id = static_cast<Index>(sums.size());
+        sums.push_back(Vector3::Zero());
+        members.push_back(0);
+        if (target >= 0)
+          group[static_cast<std::size_t>(target)] = id;
+      }
+      snapped_[v] = id;
+      sums[static_cast<std::size_t>(id)] += mesh.vertices[v];
+      ++members[static_cast<std::size_t>(id)];
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      sums[i] /= members[i];
+    mesh.vertices = std::move(sums);
   }
 
   /// The paper's n_p: mean normal of the planes that meet the cell; zero if the flip test does not apply to this cell.
@@ -148,6 +194,8 @@ private:
     const double limit = std::cos(options_.flip_angle * M_PI / 180.0);
     for (; *table != -1; table += 3) {
       const Triangle t = {vertexOf(cell, table[0]), vertexOf(cell, table[1]), vertexOf(cell, table[2])};
+      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+        continue;
       if (!reference.isZero()) {
         const Vector3& a = mesh.vertices[static_cast<std::size_t>(t[0])];
         const Vector3 n = (mesh.vertices[static_cast<std::size_t>(t[1])] - a).cross(mesh.vertices[static_cast<std::size_t>(t[2])] - a);
@@ -192,6 +240,7 @@ private:
   std::vector<Index> vertex_;
   std::vector<std::vector<GhostEdge>> ghost_edges_;
   std::vector<GhostEdge> ghosts_;
+  std::vector<Index> snapped_; ///< vertex after snapping of each vertex before it; empty without snapping
   Index real_count_ = 0;
 };
 

@@ -11,6 +11,8 @@ struct ExtractionOptions {
   Lattice lattice;                ///< voxel size and where the lattice stands
   double iso_level = 0.0;         ///< signed distance of the surface from the data, in the picks' units
   double flip_angle = 60.0;       ///< degrees, 0 to 180; the paper's flip angle f, 180 switches the test off
+  double snap = 0.0;              ///< fraction of an edge, 0 to 0.4: vertices within it of a lattice vertex are joined there, which takes marching cubes'
+                                  ///< slivers away; 0: every vertex stays on its own lattice edge
   unsigned threads = 0;           ///< 0: one per processor
   std::size_t memory_limit = 0;   ///< bytes the extraction may take; 0: no limit
   ProgressCallback progress;

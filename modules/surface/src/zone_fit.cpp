@@ -1,0 +1,150 @@
+#include "graben/surface/zone_fit.h"
+
+#include "graben/core/threads.h"
+#include "graben/mesh/normals.h"
+#include "graben/surface/fault_signature.h"
+#include "graben/surface/quadric.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graben {
+
+namespace {
+
+class ZoneFitter {
+public:
+  ZoneFitter(const CutMesh& cut, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
+             const ZoneFitOptions& options)
+    : cut_(cut), grid_(grid), planes_(planes), faults_(faults), options_(options), viewpoints_(viewpoints(cut)) {}
+
+  /// The new position of a vertex; false if it has too few picks.
+  bool fit(Index vertex, Vector3& position, std::vector<Neighbor>& candidates) const {
+    const auto v = static_cast<std::size_t>(vertex);
+    const Vector3& at = cut_.mesh.vertices[v];
+    Quadric sum;
+    if (addPicks(at, viewpoints_[v], sum, candidates) < 3)
+      return false;
+    addFaults(vertex, at, sum);
+    Vector3 step = sum.minimizer(options_.relative_cutoff);
+    if (options_.mode == FitMode::Normal && !cut_.onFault(vertex)) {
+      const Vector3& n = cut_.mesh.normals[v];
+      step = step.dot(n) * n;
+    }
+    const double length = step.norm();
+    if (options_.max_step > 0.0 && length > options_.max_step)
+      step *= options_.max_step / length;
+    position = ontoFaults(vertex, at + step);
+    return true;
+  }
+
+private:
+  std::size_t addPicks(const Vector3& at, const Vector3& viewpoint, Quadric& sum, std::vector<Neighbor>& candidates) const {
+    const double radius = options_.search_radius > 0.0 ? options_.search_radius : std::numeric_limits<double>::infinity();
+    std::size_t used = 0;
+    for (std::size_t count = 2 * options_.neighbors;; count *= 4) {
+      sum = Quadric();
+      used = 0;
+      grid_.nearest(viewpoint, count, candidates, radius);
+      for (const Neighbor& c : candidates) {
+        const auto i = static_cast<std::size_t>(c.index);
+        const Vector3& n = planes_.normals[i];
+        if (!(n.x() == n.x()) || !sameSide(faults_, grid_.points()[i], viewpoint))
+          continue;
+        sum.addPlane(grid_.points()[i] - at, n);
+        if (++used == options_.neighbors)
+          return used;
+      }
+      if (candidates.size() < count || count > 64 * options_.neighbors)
+        return used;
+    }
+  }
+
+  void addFaults(Index vertex, const Vector3& at, Quadric& sum) const {
+    for (const Index f : cut_.vertex_faults[static_cast<std::size_t>(vertex)]) {
+      if (f < 0)
+        continue;
+      const FaultPoint p = faults_.nearest(static_cast<std::size_t>(f), at);
+      sum.addPlane(p.point - at, p.normal, 10.0 * static_cast<double>(options_.neighbors));
+    }
+  }
+
+  Vector3 ontoFaults(Index vertex, Vector3 p) const {
+    const auto& on = cut_.vertex_faults[static_cast<std::size_t>(vertex)];
+    // At a branch line the two projections are repeated until they agree.
+    const int rounds = on[0] < 0 ? 0 : on[1] < 0 ? 1 : 8;
+    for (int round = 0; round < rounds; ++round)
+      for (const Index f : on)
+        if (f >= 0)
+          p = faults_.nearest(static_cast<std::size_t>(f), p).point;
+    return p;
+  }
+
+  const CutMesh& cut_;
+  const NeighborGrid& grid_;
+  const TangentPlanes& planes_;
+  const FaultNetwork& faults_;
+  const ZoneFitOptions& options_;
+  Points viewpoints_;
+};
+
+std::vector<Index> zoneVertices(const CutMesh& cut, const FaultNetwork& faults, const ZoneFitOptions& options) {
+  std::vector<std::uint8_t> in(cut.mesh.vertices.size(), 0);
+  const bool all = std::isinf(options.zone_width);
+  parallelFor(in.size(), 1024, options.threads, [&](std::size_t v) {
+    in[v] = all || faults.nearest(cut.mesh.vertices[v], options.zone_width).fault >= 0 ? 1 : 0;
+  });
+  std::vector<Index> zone;
+  for (std::size_t v = 0; v < in.size(); ++v)
+    if (in[v] != 0)
+      zone.push_back(static_cast<Index>(v));
+  return zone;
+}
+
+} // namespace
+
+Points viewpoints(const CutMesh& cut) {
+  Points sums(cut.mesh.vertices.size(), Vector3::Zero());
+  std::vector<int> counts(cut.mesh.vertices.size(), 0);
+  for (const Triangle& t : cut.mesh.triangles) {
+    const Vector3 centroid = (cut.mesh.vertices[static_cast<std::size_t>(t[0])] + cut.mesh.vertices[static_cast<std::size_t>(t[1])] +
+                              cut.mesh.vertices[static_cast<std::size_t>(t[2])]) / 3.0;
+    for (const Index v : t) {
+      sums[static_cast<std::size_t>(v)] += centroid;
+      ++counts[static_cast<std::size_t>(v)];
+    }
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    const Vector3& at = cut.mesh.vertices[v];
+    sums[v] = counts[v] > 0 && cut.onFault(static_cast<Index>(v)) ? Vector3(at + 0.5 * (sums[v] / counts[v] - at)) : at;
+  }
+  return sums;
+}
+
+ZoneFitResult fitZone(CutMesh& cut, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
+                      const ZoneFitOptions& options) {
+  ZoneFitResult result;
+  if (options.mode == FitMode::Off)
+    return result;
+  const std::vector<Index> zone = zoneVertices(cut, faults, options);
+  for (unsigned pass = 0; pass < options.passes; ++pass) {
+    computeVertexNormals(cut.mesh, options.threads);
+    const ZoneFitter fitter(cut, grid, planes, faults, options);
+    Points moved(zone.size());
+    std::vector<std::uint8_t> done(zone.size(), 0);
+    parallelBlocks(zone.size(), 64, options.threads, [&](std::size_t begin, std::size_t end) {
+      std::vector<Neighbor> candidates;
+      for (std::size_t i = begin; i < end; ++i)
+        done[i] = fitter.fit(zone[i], moved[i], candidates) ? 1 : 0;
+    });
+    result = {};
+    for (std::size_t i = 0; i < zone.size(); ++i) {
+      if (done[i] != 0)
+        cut.mesh.vertices[static_cast<std::size_t>(zone[i])] = moved[i];
+      ++(done[i] != 0 ? result.fitted : result.without_picks);
+    }
+  }
+  return result;
+}
+
+} // namespace graben
