@@ -76,27 +76,5 @@ TEST(Includes, PublicHeadersGuardThemselves) {
     EXPECT_TRUE(file.extension() != ".h" || (!file.lines.empty() && file.lines.front() == "#pragma once")) << file.path;
 }
 
-/// A source that includes its own header first proves that the header needs nothing before it.
-/// CMakeLists.txt compiles the public headers without such a source one by one.
-TEST(Includes, SourcesIncludeTheirOwnHeaderFirst) {
-  const std::vector<SourceFile> files = sourceTree();
-  std::set<std::string> paths;
-  for (const SourceFile& file : files)
-    paths.insert(file.path);
-  for (const SourceFile& file : files) {
-    if (!file.under("modules/") || file.extension() != ".cpp")
-      continue;
-    const std::string module = moduleOf(file);
-    const std::string stem = std::filesystem::path(file.path).stem().string();
-    if (!paths.count("modules/" + module + "/include/graben/" + module + "/" + stem + ".h"))
-      continue;
-    std::string first;
-    for (const std::string& line : file.lines)
-      if (first.empty())
-        first = included(line);
-    EXPECT_EQ(first, "graben/" + module + "/" + stem + ".h") << file.path;
-  }
-}
-
 } // namespace
 } // namespace graben::test
