@@ -9,7 +9,19 @@ install(TARGETS ${_modules} EXPORT grabenTargets
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT grabenTargets NAMESPACE graben:: DESTINATION ${_package_dir})
 
-list(JOIN GRABEN_VTK_COMPONENTS " " GRABEN_VTK_COMPONENTS_WORDS)
+# The parts of VTK that the modules link, privately or not: a dependent has to find them too.
+set(GRABEN_VTK_COMPONENTS "")
+foreach(_module ${_modules})
+  get_target_property(_links ${_module} LINK_LIBRARIES)
+  foreach(_link ${_links})
+    if(_link MATCHES "^VTK::([A-Za-z0-9]+)$")
+      list(APPEND GRABEN_VTK_COMPONENTS ${CMAKE_MATCH_1})
+    endif()
+  endforeach()
+endforeach()
+list(REMOVE_DUPLICATES GRABEN_VTK_COMPONENTS)
+list(JOIN GRABEN_VTK_COMPONENTS " " GRABEN_VTK_COMPONENTS)
+
 configure_package_config_file(
   "${CMAKE_CURRENT_LIST_DIR}/GrabenConfig.cmake.in" "${CMAKE_BINARY_DIR}/grabenConfig.cmake"
   INSTALL_DESTINATION ${_package_dir})
