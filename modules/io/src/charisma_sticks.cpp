@@ -1,0 +1,105 @@
+// Charisma fault sticks: rows `INLINE- inline crossline x y z name stick`, as Petrel writes them.
+#include "fault_formats.h"
+
+#include "line_reader.h"
+#include "numbers.h"
+#include "table_reader.h"
+
+#include "graben/core/errors.h"
+
+#include <algorithm>
+#include <map>
+
+namespace graben {
+namespace {
+
+struct Row {
+  Vector3 point;
+  std::string name;
+  std::int64_t stick = 0;
+};
+
+/// The words of a row without the keywords and their marks: inline, crossline, x, y, z, name ...,
+/// stick.
+void valueWords(std::string_view line, std::string& storage, std::vector<std::string_view>& words) {
+  storage = line;
+  const std::string lower = toLower(line);
+  for (const std::string_view key : {"crossline", "inline", "xline"}) {
+    std::size_t at = lower.find(key);
+    if (at == std::string::npos || (at > 0 && lower[at - 1] != ' ' && lower[at - 1] != '\t'))
+      continue;
+    std::size_t end = at + key.size();
+    while (end < lower.size() &&
+           std::string_view(" \t:-").find(lower[end]) != std::string_view::npos)
+      ++end;
+    std::fill(storage.begin() + static_cast<std::ptrdiff_t>(at),
+              storage.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+  }
+  splitWords(storage, words);
+}
+
+std::string joined(const std::vector<std::string_view>& words, std::size_t begin, std::size_t end) {
+  std::string text;
+  for (std::size_t i = begin; i < end; ++i)
+    text += (i == begin ? "" : " ") + std::string(words[i]);
+  return text;
+}
+
+Row rowOf(std::string_view line, const std::string& path, std::size_t number) {
+  std::string storage;
+  std::vector<std::string_view> words;
+  valueWords(line, storage, words);
+  if (words.size() == 5)
+    throw ParseError(path, number,
+                     "a Charisma row without fault name and stick number: this is a horizon");
+  Row row;
+  bool readable = words.size() >= 7 && parseInteger(words.back(), row.stick);
+  for (std::size_t k = 0; readable && k < 3; ++k)
+    readable = parseField(words[2 + k], row.point[static_cast<Eigen::Index>(k)]);
+  if (!readable)
+    throw ParseError(path, number, "no Charisma row INLINE- inline crossline x y z name stick");
+  row.name = joined(words, 5, words.size() - 1);
+  return row;
+}
+
+struct NamedLines {
+  std::string name;
+  std::vector<Points> lines;
+  std::map<std::int64_t, std::size_t> line_of_stick;
+};
+
+} // namespace
+
+std::vector<FaultInput> readCharismaFaults(std::string_view text, const std::string& path) {
+  std::vector<NamedLines> named;
+  std::map<std::string, std::size_t> index_of_name;
+  LineReader reader(text);
+  std::string_view line;
+  while (reader.next(line)) {
+    if (isPassedOver(line))
+      continue;
+    const Row row = rowOf(line, path, reader.number());
+    const auto name = index_of_name.emplace(row.name, named.size());
+    if (name.second)
+      named.push_back({row.name, {}, {}});
+    NamedLines& fault = named[name.first->second];
+    const auto stick = fault.line_of_stick.emplace(row.stick, fault.lines.size());
+    if (stick.second)
+      fault.lines.emplace_back();
+    fault.lines[stick.first->second].push_back(row.point);
+  }
+  std::vector<FaultInput> faults;
+  for (NamedLines& source : named) {
+    FaultInput fault{source.name, {}, ZPositive::Unknown, path, {}};
+    std::vector<FaultStick> sticks = sticksFromLines(std::move(source.lines), fault.notes);
+    if (sticks.empty())
+      continue;
+    fault.geometry = std::move(sticks);
+    faults.push_back(std::move(fault));
+  }
+  if (faults.empty())
+    throw ParseError(path, 0, "holds no fault stick with two points or more");
+  return faults;
+}
+
+} // namespace graben

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace graben {
+
+/// A whole file in memory: mapped where that is possible, read otherwise (pipes). Lives as long as
+/// the views on it.
+class FileContent {
+public:
+  /// \throw IoError if there is no such file, it is a folder or cannot be read
+  explicit FileContent(const std::string& path);
+  ~FileContent();
+  FileContent(const FileContent&) = delete;
+  FileContent& operator=(const FileContent&) = delete;
+
+  std::string_view bytes() const { return bytes_; }
+
+private:
+  std::string_view bytes_;
+  std::string copy_;
+  void* mapping_ = nullptr;
+};
+
+/// The file's text without byte order mark, with \n or \r\n line ends; \a storage holds a copy
+/// where one is needed.
+/// \throw ParseError if the file is empty, UTF-16 or binary
+std::string_view textOf(const FileContent& content, const std::string& path, std::string& storage);
+
+/// The file's name without folder and extension.
+std::string stemOf(const std::string& path);
+
+/// The file's extension in lower case with its dot.
+std::string extensionOf(const std::string& path);
+
+} // namespace graben

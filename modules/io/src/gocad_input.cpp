@@ -1,0 +1,132 @@
+// What each use makes of the objects of a GOCAD file.
+#include "fault_formats.h"
+#include "file_content.h"
+#include "gocad_objects.h"
+#include "mesh_formats.h"
+#include "pick_formats.h"
+
+#include "graben/core/errors.h"
+
+#include <algorithm>
+
+namespace graben {
+namespace {
+
+std::string typesOf(const std::vector<GocadObject>& objects) {
+  std::string list;
+  for (const GocadObject& object : objects)
+    if (list.find(object.type) == std::string::npos)
+      list += (list.empty() ? "" : ", ") + object.type;
+  return list.empty() ? "no object" : list;
+}
+
+std::string nameOf(const GocadObject& object, const std::string& path) {
+  return object.name.empty() ? stemOf(path) : object.name;
+}
+
+std::vector<std::string> notesOn(const GocadObject& object) {
+  std::vector<std::string> notes;
+  if (object.has_properties)
+    notes.push_back("vertex properties ignored");
+  return notes;
+}
+
+/// Pieces where the surface has several TFACEs and none shares a vertex with another.
+std::vector<Index> piecesOf(const GocadObject& object) {
+  if (object.face_starts.size() < 2)
+    return {};
+  std::vector<Index> piece(object.vertices.size(), -1);
+  Index face = -1;
+  for (std::size_t t = 0; t < object.triangles.size(); ++t) {
+    while (static_cast<std::size_t>(face + 1) < object.face_starts.size() &&
+           object.face_starts[static_cast<std::size_t>(face + 1)] <= t)
+      ++face;
+    for (const Index v : object.triangles[t]) {
+      Index& of_vertex = piece[static_cast<std::size_t>(v)];
+      if (of_vertex >= 0 && of_vertex != face)
+        return {};
+      of_vertex = std::max<Index>(face, 0);
+    }
+  }
+  for (Index& p : piece)
+    p = std::max<Index>(p, 0);
+  return piece;
+}
+
+TriangleMesh meshOf(GocadObject& object) {
+  TriangleMesh mesh;
+  mesh.piece = piecesOf(object);
+  mesh.vertices = std::move(object.vertices);
+  mesh.triangles = std::move(object.triangles);
+  return mesh;
+}
+
+std::vector<FaultStick> sticksOf(const GocadObject& object, std::vector<std::string>& notes) {
+  std::vector<Points> lines;
+  for (const std::vector<Index>& line : object.lines) {
+    Points& points = lines.emplace_back();
+    for (const Index v : line)
+      points.push_back(object.vertices[static_cast<std::size_t>(v)]);
+  }
+  return sticksFromLines(std::move(lines), notes);
+}
+
+} // namespace
+
+std::vector<MeshInput> readGocadMeshes(std::string_view text, const std::string& path) {
+  std::vector<GocadObject> objects = readGocadObjects(text, path);
+  std::vector<MeshInput> meshes;
+  for (GocadObject& object : objects)
+    if (object.isSurface() && !object.triangles.empty())
+      meshes.push_back({nameOf(object, path), meshOf(object), object.z_positive, notesOn(object)});
+  if (meshes.empty())
+    throw ParseError(path, 0, "holds no TSurf with triangles (found: " + typesOf(objects) + ")");
+  return meshes;
+}
+
+std::vector<FaultInput> readGocadFaults(std::string_view text, const std::string& path) {
+  std::vector<GocadObject> objects = readGocadObjects(text, path);
+  std::vector<FaultInput> faults;
+  for (GocadObject& object : objects) {
+    FaultInput fault{nameOf(object, path), {}, object.z_positive, path, notesOn(object)};
+    if (object.isSurface() && !object.triangles.empty()) {
+      fault.geometry = meshOf(object);
+    } else if (object.isLines()) {
+      std::vector<FaultStick> sticks = sticksOf(object, fault.notes);
+      if (sticks.empty())
+        continue;
+      fault.geometry = std::move(sticks);
+    } else {
+      continue;
+    }
+    faults.push_back(std::move(fault));
+  }
+  if (faults.empty())
+    throw ParseError(path, 0,
+                     "holds no fault: a TSurf with triangles or a PLine with sticks (found: " +
+                         typesOf(objects) + ")");
+  return faults;
+}
+
+PickSet readGocadPicks(std::string_view text, const std::string& path) {
+  const std::vector<GocadObject> objects = readGocadObjects(text, path);
+  PickSet picks;
+  bool first = true;
+  for (const GocadObject& object : objects) {
+    if (!object.isPoints())
+      continue;
+    if (!first && object.z_positive != picks.z_positive)
+      throw ParseError(path, object.line,
+                       "this VSet has another ZPOSITIVE than the one before; split the file");
+    picks.z_positive = object.z_positive;
+    first = false;
+    picks.points.insert(picks.points.end(), object.vertices.begin(), object.vertices.end());
+    for (std::string& note : notesOn(object))
+      picks.notes.push_back(std::move(note));
+  }
+  if (first)
+    throw ParseError(path, 0, "holds no VSet (found: " + typesOf(objects) + ")");
+  return picks;
+}
+
+} // namespace graben

@@ -1,0 +1,83 @@
+#include "graben/io/mesh_reader.h"
+
+#include "file_content.h"
+#include "file_format.h"
+#include "mesh_formats.h"
+
+#include "graben/core/errors.h"
+
+#include <algorithm>
+
+namespace graben {
+namespace {
+
+MeshInput readOne(FileFormat format, const FileContent& content, const std::string& path) {
+  std::string storage;
+  switch (format) {
+  case FileFormat::Ply:
+    return readPlyMesh(content.bytes(), path);
+  case FileFormat::Obj:
+    return readObjMesh(textOf(content, path, storage), path);
+  case FileFormat::Stl:
+    return readStlMesh(content.bytes(), path);
+  case FileFormat::VtkLegacy:
+    return readVtkMesh(content.bytes(), path);
+  case FileFormat::VtkXml:
+    return readVtpMesh(content.bytes(), path);
+  default:
+    throw ParseError(
+        path, 0, "is " + describe(format) + ", not a triangle mesh (.ply .vtk .vtp .obj .stl .ts)");
+  }
+}
+
+/// Each part of a GOCAD file as its own piece.
+void labelParts(std::vector<MeshInput>& meshes) {
+  Index next = 0;
+  for (MeshInput& input : meshes) {
+    std::vector<Index>& piece = input.mesh.piece;
+    piece.resize(input.mesh.vertices.size(), 0);
+    Index last = 0;
+    for (Index& p : piece) {
+      last = std::max(last, p);
+      p += next;
+    }
+    next += last + 1;
+  }
+}
+
+} // namespace
+
+std::vector<MeshInput> readMeshes(const std::string& path) {
+  const FileContent content(path);
+  if (content.bytes().empty())
+    throw ParseError(path, 0, "the file is empty");
+  const FileFormat format = formatOf(content.bytes(), path);
+  std::string storage;
+  std::vector<MeshInput> meshes;
+  if (format == FileFormat::Gocad)
+    meshes = readGocadMeshes(textOf(content, path, storage), path);
+  else
+    meshes.push_back(readOne(format, content, path));
+  for (const MeshInput& input : meshes)
+    if (input.mesh.empty())
+      throw ParseError(path, 0, "holds no triangle");
+  return meshes;
+}
+
+TriangleMesh readMesh(const std::string& path) {
+  std::vector<MeshInput> meshes = readMeshes(path);
+  if (meshes.size() > 1)
+    labelParts(meshes);
+  TriangleMesh whole = std::move(meshes.front().mesh);
+  for (std::size_t i = 1; i < meshes.size(); ++i) {
+    const TriangleMesh& part = meshes[i].mesh;
+    const auto offset = static_cast<Index>(whole.vertices.size());
+    whole.vertices.insert(whole.vertices.end(), part.vertices.begin(), part.vertices.end());
+    whole.piece.insert(whole.piece.end(), part.piece.begin(), part.piece.end());
+    for (const Triangle& t : part.triangles)
+      whole.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  }
+  return whole;
+}
+
+} // namespace graben

@@ -1,0 +1,343 @@
+#include "pick_formats.h"
+
+#include "line_reader.h"
+#include "numbers.h"
+#include "table_reader.h"
+
+#include "graben/core/errors.h"
+#include "graben/core/threads.h"
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <pcl/io/lzf.h>
+
+namespace graben {
+namespace {
+
+struct PcdField {
+  std::string name;
+  std::size_t size = 4;
+  char type = 'F';
+  std::size_t count = 1;
+  std::size_t offset = 0; ///< in a point
+  std::size_t column = 0; ///< of the first value, in ascii
+};
+
+struct PcdHeader {
+  std::vector<PcdField> fields;
+  std::uint64_t width = 0;
+  std::uint64_t height = 1;
+  std::optional<std::uint64_t> points;
+  bool identity_viewpoint = true;
+  std::string data;
+  std::size_t point_size = 0;
+  std::size_t body = 0;
+  std::size_t body_line = 1;
+
+  const PcdField* find(std::string_view name) const {
+    for (const PcdField& field : fields)
+      if (field.name == name)
+        return &field;
+    return nullptr;
+  }
+};
+
+class PcdHeaderParser {
+public:
+  PcdHeaderParser(std::string_view bytes, const std::string& path)
+      : reader_(bytes)
+      , path_(path)
+      , size_(bytes.size()) {}
+
+  PcdHeader parse() {
+    std::string_view line;
+    while (header_.data.empty() && reader_.next(line)) {
+      splitWords(line, words_);
+      if (!words_.empty() && words_[0].front() != '#')
+        parseEntry();
+    }
+    if (header_.data.empty())
+      fail("the PCD header has no DATA line");
+    header_.body = size_ - reader_.rest().size();
+    header_.body_line = reader_.number() + 1;
+    layOut();
+    return std::move(header_);
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& message) const {
+    throw ParseError(path_, reader_.number(), message);
+  }
+
+  std::uint64_t number(std::size_t word) const {
+    std::int64_t value = 0;
+    if (word >= words_.size() || !parseInteger(words_[word], value) || value < 0)
+      fail("the PCD header entry " + std::string(words_[0]) + " needs a number");
+    return static_cast<std::uint64_t>(value);
+  }
+
+  void parseFields() {
+    for (std::size_t i = 1; i < words_.size(); ++i) {
+      header_.fields.emplace_back();
+      header_.fields.back().name = words_[i];
+    }
+  }
+
+  void checkFieldCount() const {
+    if (words_.size() != header_.fields.size() + 1)
+      fail(std::string(words_[0]) + " does not name one value per field");
+  }
+
+  void parseEntry() {
+    const std::string_view key = words_[0];
+    if (key == "FIELDS" || key == "COLUMNS") {
+      parseFields();
+    } else if (key == "SIZE" || key == "TYPE" || key == "COUNT") {
+      checkFieldCount();
+      for (std::size_t i = 0; i < header_.fields.size(); ++i) {
+        PcdField& field = header_.fields[i];
+        if (key == "TYPE")
+          field.type = words_[i + 1].front();
+        else
+          (key == "SIZE" ? field.size : field.count) = number(i + 1);
+      }
+    } else if (key == "WIDTH") {
+      header_.width = number(1);
+    } else if (key == "HEIGHT") {
+      header_.height = number(1);
+    } else if (key == "POINTS") {
+      header_.points = number(1);
+    } else if (key == "VIEWPOINT") {
+      parseViewpoint();
+    } else if (key == "DATA") {
+      header_.data = words_.size() > 1 ? toLower(words_[1]) : "";
+      if (header_.data != "ascii" && header_.data != "binary" &&
+          header_.data != "binary_compressed")
+        fail("DATA must be ascii, binary or binary_compressed");
+    } else if (key != "VERSION") {
+      fail("not a line of a PCD header: '" + std::string(key.substr(0, 60)) + "'");
+    }
+  }
+
+  void parseViewpoint() {
+    static constexpr double identity[] = {0, 0, 0, 1, 0, 0, 0};
+    for (std::size_t i = 0; i < 7 && i + 1 < words_.size(); ++i) {
+      double value = 0.0;
+      if (parseField(words_[i + 1], value) && value != identity[i])
+        header_.identity_viewpoint = false;
+    }
+  }
+
+  void layOut() {
+    constexpr std::size_t most = 1 << 20;
+    std::size_t column = 0;
+    for (PcdField& field : header_.fields) {
+      if (field.size == 0 || field.size > 8 || field.count > most)
+        fail("field " + field.name + " has an impossible size or count");
+      field.offset = header_.point_size;
+      field.column = column;
+      header_.point_size += field.size * field.count;
+      column += field.count;
+    }
+    if (!header_.points) {
+      if (header_.width != 0 &&
+          header_.height > std::numeric_limits<std::uint64_t>::max() / header_.width)
+        fail("an impossible WIDTH and HEIGHT");
+      header_.points = header_.width * header_.height;
+    }
+    for (const std::string_view name : {"x", "y", "z"})
+      if (header_.find(name) == nullptr || header_.find(name)->count != 1)
+        fail("the PCD file has no field " + std::string(name));
+  }
+
+  LineReader reader_;
+  const std::string& path_;
+  std::size_t size_;
+  std::vector<std::string_view> words_;
+  PcdHeader header_;
+};
+
+/// x y z and, where the file has them, normal_x normal_y normal_z.
+std::vector<const PcdField*> wantedFields(const PcdHeader& header) {
+  std::vector<const PcdField*> wanted;
+  for (const std::string_view name : {"x", "y", "z", "normal_x", "normal_y", "normal_z"})
+    if (const PcdField* field = header.find(name); field != nullptr && field->count == 1)
+      wanted.push_back(field);
+  if (wanted.size() != 6)
+    wanted.resize(3);
+  return wanted;
+}
+
+[[noreturn]] void failShort(const std::string& path, std::uint64_t promised, std::uint64_t held) {
+  throw ParseError(path, 0,
+                   "the file is cut short: its header promises " + std::to_string(promised) +
+                       " points, it holds " + std::to_string(held));
+}
+
+template <typename Number>
+void copyColumn(const char* first, std::size_t stride, double* out, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    Number value;
+    std::memcpy(&value, first + i * stride, sizeof(value));
+    out[3 * i] = static_cast<double>(value);
+  }
+}
+
+using Copy = void (*)(const char*, std::size_t, double*, std::size_t);
+
+Copy copyOf(const PcdField& field, const std::string& path) {
+  switch (field.type) {
+  case 'F':
+    if (field.size == 4)
+      return copyColumn<float>;
+    if (field.size == 8)
+      return copyColumn<double>;
+    break;
+  case 'I':
+    if (field.size == 1)
+      return copyColumn<std::int8_t>;
+    if (field.size == 2)
+      return copyColumn<std::int16_t>;
+    if (field.size == 4)
+      return copyColumn<std::int32_t>;
+    if (field.size == 8)
+      return copyColumn<std::int64_t>;
+    break;
+  case 'U':
+    if (field.size == 1)
+      return copyColumn<std::uint8_t>;
+    if (field.size == 2)
+      return copyColumn<std::uint16_t>;
+    if (field.size == 4)
+      return copyColumn<std::uint32_t>;
+    if (field.size == 8)
+      return copyColumn<std::uint64_t>;
+    break;
+  default:
+    break;
+  }
+  throw ParseError(path, 0, "field " + field.name + " has an unknown TYPE and SIZE");
+}
+
+/// One field of all points in memory.
+struct Column {
+  const char* first;
+  std::size_t stride;
+  Copy copy;
+};
+
+void fill(const std::vector<Column>& columns, std::size_t count, unsigned threads, PickSet& picks) {
+  picks.points.resize(count);
+  if (columns.size() == 6)
+    picks.normals.resize(count);
+  parallelBlocks(count, 1 << 14, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      Points& target = c < 3 ? picks.points : picks.normals;
+      columns[c].copy(columns[c].first + begin * columns[c].stride, columns[c].stride,
+                      target[begin].data() + c % 3, end - begin);
+    }
+  });
+}
+
+void readBinary(std::string_view body, const PcdHeader& header, const std::string& path,
+                unsigned threads, PickSet& picks) {
+  const std::uint64_t held = body.size() / header.point_size;
+  if (*header.points > held)
+    failShort(path, *header.points, held);
+  std::vector<Column> columns;
+  for (const PcdField* field : wantedFields(header))
+    columns.push_back({body.data() + field->offset, header.point_size, copyOf(*field, path)});
+  fill(columns, *header.points, threads, picks);
+}
+
+/// Two uint32 sizes, then all values of the first field, all of the second, ..., compressed as one
+/// block.
+void readCompressed(std::string_view body, const PcdHeader& header, const std::string& path,
+                    unsigned threads, PickSet& picks) {
+  std::uint32_t sizes[2] = {0, 0};
+  if (body.size() < sizeof(sizes))
+    failShort(path, *header.points, 0);
+  std::memcpy(sizes, body.data(), sizeof(sizes));
+  body.remove_prefix(sizeof(sizes));
+  constexpr std::uint64_t best_ratio = 300; // LZF turns 3 bytes into 264 at most
+  if (sizes[0] > body.size() || sizes[1] / best_ratio > sizes[0])
+    throw ParseError(path, 0, "the file is cut short: the compressed block is not complete");
+  if (*header.points != sizes[1] / header.point_size || sizes[1] % header.point_size != 0)
+    throw ParseError(path, 0, "the compressed block does not hold the points the header promises");
+  std::vector<char> block(sizes[1]);
+  if (sizes[1] > 0 && pcl::lzfDecompress(body.data(), sizes[0], block.data(), sizes[1]) != sizes[1])
+    throw ParseError(path, 0, "the compressed block is damaged");
+  std::vector<Column> columns;
+  for (const PcdField* field : wantedFields(header))
+    columns.push_back(
+        {block.data() + field->offset * *header.points, field->size, copyOf(*field, path)});
+  fill(columns, *header.points, threads, picks);
+}
+
+template <int K>
+Table<K> readAscii(std::string_view body, const PcdHeader& header, const std::string& path,
+                   const ReadOptions& options) {
+  TableLayout<K> layout;
+  const auto wanted = wantedFields(header);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(K); ++k)
+    layout.columns[k] = static_cast<int>(wanted[k]->column);
+  TableSource source;
+  source.text = body;
+  source.first_line = header.body_line;
+  source.threads = options.threads;
+  source.progress = options.progress;
+  source.stage = "reading " + std::filesystem::path(path).filename().string();
+  Table<K> table = readTable<K>(source, layout);
+  if (!table.bad_lines.empty())
+    throw ParseError(path, table.bad_lines.front(),
+                     "this row does not hold the fields the header names");
+  if (table.rows.size() < *header.points)
+    failShort(path, *header.points, table.rows.size());
+  table.rows.resize(*header.points);
+  return table;
+}
+
+void readAscii(std::string_view body, const PcdHeader& header, const std::string& path,
+               const ReadOptions& options, PickSet& picks) {
+  if (wantedFields(header).size() == 3) {
+    picks.points = readAscii<3>(body, header, path, options).rows;
+    return;
+  }
+  for (const auto& row : readAscii<6>(body, header, path, options).rows) {
+    picks.points.push_back(row.head<3>());
+    picks.normals.push_back(row.tail<3>());
+  }
+}
+
+void note(const PcdHeader& header, PickSet& picks) {
+  const auto wanted = wantedFields(header);
+  std::string ignored;
+  for (const PcdField& field : header.fields)
+    if (std::find(wanted.begin(), wanted.end(), &field) == wanted.end() && field.name != "_")
+      ignored += (ignored.empty() ? "" : ", ") + field.name;
+  if (!ignored.empty())
+    picks.notes.push_back("fields ignored: " + ignored);
+  if (!header.identity_viewpoint)
+    picks.notes.push_back("VIEWPOINT is not applied; coordinates are taken as stored");
+}
+
+} // namespace
+
+PickSet readPcdPicks(std::string_view bytes, const std::string& path, const ReadOptions& options) {
+  const PcdHeader header = PcdHeaderParser(bytes, path).parse();
+  const std::string_view body = bytes.substr(header.body);
+  PickSet picks;
+  if (header.data == "binary")
+    readBinary(body, header, path, options.threads, picks);
+  else if (header.data == "binary_compressed")
+    readCompressed(body, header, path, options.threads, picks);
+  else
+    readAscii(body, header, path, options, picks);
+  note(header, picks);
+  return picks;
+}
+
+} // namespace graben

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "ply_header.h"
+
+namespace graben {
+
+/// The values of a PLY file's elements, in the order of the file.
+class PlyBody {
+public:
+  PlyBody(std::string_view bytes, const PlyHeader& header, const std::string& path)
+      : bytes_(bytes)
+      , at_(header.body)
+      , encoding_(header.encoding)
+      , path_(path)
+      , line_(header.body_line) {}
+
+  /// The next value.
+  /// \throw ParseError if the file ends or the value is no number
+  double next(PlyType type);
+
+  /// The length of the next list, checked against the rest of the file.
+  std::size_t nextListLength(const PlyProperty& property);
+
+  void skip(const PlyElement& element);
+
+private:
+  [[noreturn]] void fail(const std::string& message) const;
+  double nextText();
+
+  std::string_view bytes_;
+  std::size_t at_;
+  PlyEncoding encoding_;
+  const std::string& path_;
+  std::size_t line_;
+};
+
+} // namespace graben

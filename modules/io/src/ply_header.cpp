@@ -1,0 +1,163 @@
+#include "ply_header.h"
+
+#include "line_reader.h"
+#include "numbers.h"
+
+#include "graben/core/errors.h"
+
+#include <map>
+
+namespace graben {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+class PlyHeaderParser {
+public:
+  PlyHeaderParser(std::string_view bytes, const std::string& path)
+      : reader_(bytes)
+      , path_(path)
+      , size_(bytes.size()) {}
+
+  PlyHeader parse();
+
+private:
+  [[noreturn]] void fail(const std::string& message) const {
+    throw ParseError(path_, reader_.number(), message);
+  }
+  PlyType type(std::string_view word) const;
+  void parseFormat();
+  void parseElement();
+  void parseProperty();
+  void checkCounts() const;
+
+  LineReader reader_;
+  const std::string& path_;
+  std::size_t size_;
+  Words words_;
+  PlyHeader header_;
+  bool has_format_ = false;
+};
+
+PlyType PlyHeaderParser::type(std::string_view word) const {
+  static const std::map<std::string_view, PlyType> types = {
+      {"char", PlyType::Int8},      {"int8", PlyType::Int8},       {"uchar", PlyType::UInt8},
+      {"uint8", PlyType::UInt8},    {"short", PlyType::Int16},     {"int16", PlyType::Int16},
+      {"ushort", PlyType::UInt16},  {"uint16", PlyType::UInt16},   {"int", PlyType::Int32},
+      {"int32", PlyType::Int32},    {"uint", PlyType::UInt32},     {"uint32", PlyType::UInt32},
+      {"float", PlyType::Float32},  {"float32", PlyType::Float32}, {"double", PlyType::Float64},
+      {"float64", PlyType::Float64}};
+  const auto found = types.find(word);
+  if (found == types.end())
+    fail("unknown PLY type '" + std::string(word) + "'");
+  return found->second;
+}
+
+void PlyHeaderParser::parseFormat() {
+  static const std::map<std::string_view, PlyEncoding> encodings = {
+      {"ascii", PlyEncoding::Ascii},
+      {"binary_little_endian", PlyEncoding::LittleEndian},
+      {"binary_big_endian", PlyEncoding::BigEndian}};
+  const auto found = words_.size() > 1 ? encodings.find(words_[1]) : encodings.end();
+  if (found == encodings.end())
+    fail("unknown PLY format");
+  header_.encoding = found->second;
+  has_format_ = true;
+}
+
+void PlyHeaderParser::parseElement() {
+  std::int64_t count = 0;
+  if (words_.size() < 3 || !parseInteger(words_[2], count) || count < 0)
+    fail("a PLY element needs a name and a count");
+  header_.elements.push_back({std::string(words_[1]), static_cast<std::uint64_t>(count), {}});
+}
+
+void PlyHeaderParser::parseProperty() {
+  if (header_.elements.empty())
+    fail("a PLY property before any element");
+  PlyProperty property;
+  property.is_list = words_.size() > 1 && words_[1] == "list";
+  if (words_.size() < (property.is_list ? 5U : 3U))
+    fail("a PLY property needs a type and a name");
+  property.name = words_.back();
+  if (property.is_list) {
+    property.count_type = type(words_[2]);
+    property.type = type(words_[3]);
+    property.name = words_[4];
+  } else {
+    property.type = type(words_[1]);
+    property.name = words_[2];
+  }
+  header_.elements.back().properties.push_back(property);
+}
+
+/// A wrong count must not make a reader allocate more than the file could fill.
+void PlyHeaderParser::checkCounts() const {
+  const std::size_t available = size_ - header_.body;
+  for (const PlyElement& element : header_.elements) {
+    std::size_t smallest = 0;
+    for (const PlyProperty& p : element.properties) {
+      const std::size_t binary = p.is_list ? sizeOf(p.count_type) : sizeOf(p.type);
+      smallest += header_.encoding == PlyEncoding::Ascii ? 2 : binary;
+    }
+    // The last number of an ascii file may lack its line end.
+    if (smallest > 0 && element.count > (available + 1) / smallest)
+      throw ParseError(path_, 0,
+                       "the file is cut short: its header promises " +
+                           std::to_string(element.count) + " of element " + element.name);
+  }
+}
+
+PlyHeader PlyHeaderParser::parse() {
+  std::string_view line;
+  std::size_t consumed = 0;
+  while (reader_.next(line)) {
+    splitWords(line, words_);
+    if (words_.empty() || words_[0] == "ply" || words_[0] == "comment" || words_[0] == "obj_info")
+      continue;
+    if (words_[0] == "end_header") {
+      consumed = size_ - reader_.rest().size();
+      break;
+    }
+    if (words_[0] == "format")
+      parseFormat();
+    else if (words_[0] == "element")
+      parseElement();
+    else if (words_[0] == "property")
+      parseProperty();
+    else
+      fail("not a line of a PLY header: '" + std::string(line.substr(0, 60)) + "'");
+  }
+  if (consumed == 0 || !has_format_)
+    throw ParseError(path_, reader_.number(), "the PLY header is not complete");
+  header_.body = consumed;
+  header_.body_line = reader_.number() + 1;
+  checkCounts();
+  return std::move(header_);
+}
+
+} // namespace
+
+std::size_t sizeOf(PlyType type) {
+  switch (type) {
+  case PlyType::Int8:
+  case PlyType::UInt8:
+    return 1;
+  case PlyType::Int16:
+  case PlyType::UInt16:
+    return 2;
+  case PlyType::Int32:
+  case PlyType::UInt32:
+  case PlyType::Float32:
+    return 4;
+  case PlyType::Float64:
+    break;
+  }
+  return 8;
+}
+
+PlyHeader readPlyHeader(std::string_view bytes, const std::string& path) {
+  return PlyHeaderParser(bytes, path).parse();
+}
+
+} // namespace graben

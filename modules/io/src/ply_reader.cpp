@@ -1,0 +1,209 @@
+#include "file_content.h"
+#include "mesh_formats.h"
+#include "pick_formats.h"
+#include "ply_body.h"
+
+#include "graben/core/errors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace graben {
+namespace {
+
+constexpr std::size_t most_vertices = std::numeric_limits<Index>::max();
+
+/// Where a vertex property goes: a coordinate, a component of the normal, the piece, a named scalar
+/// or nowhere.
+struct Target {
+  enum class Kind { Position, Normal, Piece, Scalar } kind = Kind::Scalar;
+  int component = 0;
+  std::vector<float>* scalar = nullptr;
+};
+
+class PlyReader {
+public:
+  PlyReader(std::string_view bytes, const std::string& path, bool with_faces)
+      : path_(path)
+      , header_(readPlyHeader(bytes, path))
+      , body_(bytes, header_, path)
+      , with_faces_(with_faces) {}
+
+  MeshInput read();
+
+private:
+  [[noreturn]] void fail(const std::string& message) const { throw ParseError(path_, 0, message); }
+  std::vector<Target> targetsOf(const PlyElement& element);
+  void readVertices(const PlyElement& element);
+  void readFaces(const PlyElement& element);
+  void addPolygon(const std::vector<double>& corners);
+  void note();
+
+  const std::string& path_;
+  PlyHeader header_;
+  PlyBody body_;
+  bool with_faces_;
+  MeshInput input_;
+  std::vector<std::string> ignored_;
+  std::size_t polygons_ = 0;
+  bool has_vertices_ = false;
+};
+
+const PlyProperty* find(const PlyElement& element, std::string_view name) {
+  for (const PlyProperty& p : element.properties)
+    if (p.name == name && !p.is_list)
+      return &p;
+  return nullptr;
+}
+
+std::vector<Target> PlyReader::targetsOf(const PlyElement& element) {
+  static const std::array<std::string_view, 3> positions = {"x", "y", "z"};
+  static const std::array<std::array<std::string_view, 3>, 2> normals = {
+      {{"nx", "ny", "nz"}, {"normal_x", "normal_y", "normal_z"}}};
+  std::vector<Target> targets;
+  for (const PlyProperty& p : element.properties) {
+    Target target;
+    const auto position = std::find(positions.begin(), positions.end(), p.name);
+    if (position != positions.end() && !p.is_list) {
+      target = {Target::Kind::Position, static_cast<int>(position - positions.begin()), nullptr};
+    } else if (p.name == "piece" && !p.is_list && with_faces_) {
+      target.kind = Target::Kind::Piece;
+    } else if (!p.is_list && with_faces_) {
+      target.scalar = &input_.mesh.scalars[p.name];
+    } else {
+      ignored_.push_back(p.name);
+    }
+    targets.push_back(target);
+  }
+  for (const auto& names : normals) {
+    const bool complete = std::all_of(names.begin(), names.end(), [&](std::string_view name) {
+      return find(element, name) != nullptr;
+    });
+    for (std::size_t i = 0; complete && i < targets.size(); ++i) {
+      const std::string& name = element.properties[i].name;
+      const auto normal = std::find(names.begin(), names.end(), name);
+      if (normal == names.end())
+        continue;
+      targets[i] = {Target::Kind::Normal, static_cast<int>(normal - names.begin()), nullptr};
+      input_.mesh.scalars.erase(name);
+      ignored_.erase(std::remove(ignored_.begin(), ignored_.end(), name), ignored_.end());
+      input_.mesh.normals.resize(element.count);
+    }
+    if (complete)
+      break;
+  }
+  return targets;
+}
+
+void PlyReader::readVertices(const PlyElement& element) {
+  for (const std::string_view name : {"x", "y", "z"})
+    if (find(element, name) == nullptr)
+      fail("the PLY vertices have no property " + std::string(name));
+  if (element.count > most_vertices)
+    fail("more vertices than can be numbered");
+  has_vertices_ = true;
+  TriangleMesh& mesh = input_.mesh;
+  const std::vector<Target> targets = targetsOf(element);
+  mesh.vertices.resize(element.count);
+  if (with_faces_ && find(element, "piece") != nullptr)
+    mesh.piece.resize(element.count);
+  for (auto& scalar : mesh.scalars)
+    scalar.second.resize(element.count);
+  for (std::size_t v = 0; v < element.count; ++v) {
+    for (std::size_t p = 0; p < targets.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      const std::size_t values = property.is_list ? body_.nextListLength(property) : 1;
+      double value = 0.0;
+      for (std::size_t i = 0; i < values; ++i)
+        value = body_.next(property.type);
+      const Target& target = targets[p];
+      if (target.kind == Target::Kind::Position)
+        mesh.vertices[v][target.component] = value;
+      else if (target.kind == Target::Kind::Normal)
+        mesh.normals[v][target.component] = value;
+      else if (target.kind == Target::Kind::Piece)
+        mesh.piece[v] = static_cast<Index>(std::abs(value) < 2e9 ? value : 0.0);
+      else if (target.scalar != nullptr)
+        (*target.scalar)[v] = static_cast<float>(value);
+    }
+  }
+}
+
+void PlyReader::addPolygon(const std::vector<double>& corners) {
+  const auto count = static_cast<double>(input_.mesh.vertices.size());
+  for (const double corner : corners)
+    if (!(corner >= 0.0 && corner < count))
+      fail("a face names vertex " + std::to_string(static_cast<long long>(corner)) + " of " +
+           std::to_string(input_.mesh.vertices.size()));
+  for (std::size_t i = 2; i < corners.size(); ++i)
+    input_.mesh.triangles.push_back({static_cast<Index>(corners[0]),
+                                     static_cast<Index>(corners[i - 1]),
+                                     static_cast<Index>(corners[i])});
+  polygons_ += corners.size() > 3 ? 1 : 0;
+}
+
+void PlyReader::readFaces(const PlyElement& element) {
+  if (!has_vertices_)
+    fail("the PLY faces come before the vertices");
+  std::vector<double> values;
+  for (std::uint64_t f = 0; f < element.count; ++f) {
+    for (const PlyProperty& property : element.properties) {
+      values.resize(property.is_list ? body_.nextListLength(property) : 1);
+      for (double& value : values)
+        value = body_.next(property.type);
+      if (property.is_list &&
+          (property.name == "vertex_indices" || property.name == "vertex_index"))
+        addPolygon(values);
+    }
+  }
+}
+
+void PlyReader::note() {
+  std::string list;
+  for (const std::string& name : ignored_)
+    list += (list.empty() ? "" : ", ") + name;
+  if (!list.empty())
+    input_.notes.push_back("fields ignored: " + list);
+  if (polygons_ > 0)
+    input_.notes.push_back(std::to_string(polygons_) + " polygons split into triangles");
+}
+
+MeshInput PlyReader::read() {
+  input_.name = stemOf(path_);
+  for (const PlyElement& element : header_.elements) {
+    if (element.name == "vertex") {
+      readVertices(element);
+    } else if (element.name == "face" && with_faces_) {
+      readFaces(element);
+    } else {
+      if (element.count > 0 && !with_faces_)
+        ignored_.push_back("element " + element.name);
+      if (!with_faces_ && has_vertices_)
+        break;
+      body_.skip(element);
+    }
+  }
+  if (!has_vertices_)
+    fail("the PLY file has no vertices");
+  note();
+  return std::move(input_);
+}
+
+} // namespace
+
+MeshInput readPlyMesh(std::string_view bytes, const std::string& path) {
+  return PlyReader(bytes, path, true).read();
+}
+
+PickSet readPlyPicks(std::string_view bytes, const std::string& path) {
+  MeshInput input = PlyReader(bytes, path, false).read();
+  PickSet picks;
+  picks.points = std::move(input.mesh.vertices);
+  picks.normals = std::move(input.mesh.normals);
+  picks.notes = std::move(input.notes);
+  return picks;
+}
+
+} // namespace graben
