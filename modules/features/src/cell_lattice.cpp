@@ -35,7 +35,8 @@ Points samplePoints(const Points& points, const std::vector<Index>& indices) {
   const std::size_t count = all ? indices.size() : SAMPLE;
   sample.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
-    sample.push_back(points[static_cast<std::size_t>(indices[all ? i : random() % indices.size()])]);
+    sample.push_back(
+        points[static_cast<std::size_t>(indices[all ? i : random() % indices.size()])]);
   return sample;
 }
 
@@ -45,7 +46,8 @@ Bounds trimmedBounds(const Points& sample) {
   std::vector<double> values(sample.size());
   const std::size_t cut = sample.size() / 50;
   for (int axis = 0; axis < 3; ++axis) {
-    std::transform(sample.begin(), sample.end(), values.begin(), [axis](const Vector3& p) { return p[axis]; });
+    std::transform(sample.begin(), sample.end(), values.begin(),
+                   [axis](const Vector3& p) { return p[axis]; });
     std::sort(values.begin(), values.end());
     box.low[axis] = values[cut];
     box.high[axis] = values[values.size() - 1 - cut];
@@ -53,12 +55,13 @@ Bounds trimmedBounds(const Points& sample) {
   return box;
 }
 
-/// The cell size at which occupied cells hold POINTS_PER_CELL of \a total points on average, from the number of cells of each power-of-two
-/// size that the sample occupies.
+/// The cell size at which occupied cells hold POINTS_PER_CELL of \a total points on average, from
+/// the number of cells of each power-of-two size that the sample occupies.
 double estimateCellSize(const Points& sample, const Bounds& box, std::size_t total) {
   CellLattice lattice;
   lattice.origin = box.low;
-  const double unit = box.size().maxCoeff() / static_cast<double>((1 << CellLattice::AXIS_BITS) - 1);
+  const double unit =
+      box.size().maxCoeff() / static_cast<double>((1 << CellLattice::AXIS_BITS) - 1);
   lattice.setCellSize(unit, 0);
   std::vector<std::uint64_t> keys;
   keys.reserve(sample.size());
@@ -68,16 +71,20 @@ double estimateCellSize(const Points& sample, const Bounds& box, std::size_t tot
   std::array<double, CellLattice::AXIS_BITS + 1> cells;
   cells.fill(1.0);
   for (std::size_t i = 1; i < keys.size(); ++i)
-    for (std::size_t level = 0; level < cells.size() && keys[i] >> (3 * level) != keys[i - 1] >> (3 * level); ++level)
+    for (std::size_t level = 0;
+         level < cells.size() && keys[i] >> (3 * level) != keys[i - 1] >> (3 * level); ++level)
       cells[level] += 1.0;
 
   const double distinct = cells[0];
   std::size_t level = 0;
   while (level + 4 < cells.size() && distinct / cells[level + 1] < POINTS_PER_CELL)
     ++level;
-  const double slope = 0.5 * std::log2(cells[level + 1] / cells[level + 3]); // at coarser levels, where chance leaves no cell empty
+  const double slope =
+      0.5 * std::log2(cells[level + 1] /
+                      cells[level + 3]); // at coarser levels, where chance leaves no cell empty
   const double dimension = std::min(3.0, std::max(1.0, slope));
-  const double levels = static_cast<double>(level) + std::log2(POINTS_PER_CELL * cells[level] / distinct) / dimension;
+  const double levels =
+      static_cast<double>(level) + std::log2(POINTS_PER_CELL * cells[level] / distinct) / dimension;
   const double thinning = static_cast<double>(sample.size()) / static_cast<double>(total);
   return unit * std::exp2(levels) * std::pow(thinning, 1.0 / dimension);
 }
@@ -91,7 +98,8 @@ unsigned bitsFor(double cells) {
 
 } // namespace
 
-CellLattice chooseLattice(const Points& points, const std::vector<Index>& indices, double cell_size, unsigned threads) {
+CellLattice chooseLattice(const Points& points, const std::vector<Index>& indices, double cell_size,
+                          unsigned threads) {
   const Bounds all = boundsOf(points, indices, threads);
   const Points sample = samplePoints(points, indices);
   const Bounds middle = trimmedBounds(sample);
@@ -107,9 +115,11 @@ CellLattice chooseLattice(const Points& points, const std::vector<Index>& indice
     lattice.origin = all.low;
     lattice.setCellSize(cell_size, std::min(MAX_FINE_BITS, CellLattice::AXIS_BITS - bits));
   } else { // outliers, or cells far too small: the lattice covers the middle and ends beside it
-    const unsigned middle_bits = std::min(CellLattice::AXIS_BITS - 1, bitsFor(middle.size().maxCoeff() / cell_size) + 1);
+    const unsigned middle_bits =
+        std::min(CellLattice::AXIS_BITS - 1, bitsFor(middle.size().maxCoeff() / cell_size) + 1);
     const unsigned fine_bits = std::min(MAX_FINE_BITS, CellLattice::AXIS_BITS - 1 - middle_bits);
-    const double half = std::ldexp(cell_size, static_cast<int>(CellLattice::AXIS_BITS - 1 - fine_bits));
+    const double half =
+        std::ldexp(cell_size, static_cast<int>(CellLattice::AXIS_BITS - 1 - fine_bits));
     lattice.origin = 0.5 * (middle.low + middle.high) - Vector3::Constant(half);
     lattice.setCellSize(cell_size, fine_bits);
   }

@@ -8,10 +8,11 @@
 
 namespace graben::detail {
 
-/// The lattice of a NeighborGrid: cells, 64 of them (4 per axis) to a block, and finer cells for the order within a cell.
+/// The lattice of a NeighborGrid: cells, 64 of them (4 per axis) to a block, and finer cells for
+/// the order within a cell.
 ///
-/// Coordinates beyond the lattice count as in its outermost cells, so that the cell of a coordinate never decreases as the coordinate grows: all that
-/// exact queries need.
+/// Coordinates beyond the lattice count as in its outermost cells, so that the cell of a coordinate
+/// never decreases as the coordinate grows: all that exact queries need.
 struct CellLattice {
   static constexpr unsigned AXIS_BITS = 21;
 
@@ -19,11 +20,16 @@ struct CellLattice {
   double cell_size = 1.0;
   unsigned fine_bits = 0; ///< a cell has 2^fine_bits fine cells per axis
 
-  std::int64_t fineCell(double coordinate, int axis) const { return lattice(coordinate, axis, AXIS_BITS, fine_size_inverse_); }
-  std::int64_t cell(double coordinate, int axis) const { return fineCell(coordinate, axis) >> fine_bits; }
+  std::int64_t fineCell(double coordinate, int axis) const {
+    return lattice(coordinate, axis, AXIS_BITS, fine_size_inverse_);
+  }
+  std::int64_t cell(double coordinate, int axis) const {
+    return fineCell(coordinate, axis) >> fine_bits;
+  }
 
   std::uint64_t fineKey(const Vector3& p) const {
-    return mortonKey(static_cast<std::uint64_t>(fineCell(p.x(), 0)), static_cast<std::uint64_t>(fineCell(p.y(), 1)),
+    return mortonKey(static_cast<std::uint64_t>(fineCell(p.x(), 0)),
+                     static_cast<std::uint64_t>(fineCell(p.y(), 1)),
                      static_cast<std::uint64_t>(fineCell(p.z(), 2)));
   }
   /// Key of the cell within its block, 0 to 63.
@@ -48,7 +54,9 @@ private:
   double fine_size_inverse_ = 1.0;
 };
 
-/// The lattice that suits the finite points given by \a indices; cell_size 0: chosen so that an occupied cell holds about 3 to 4 points.
-CellLattice chooseLattice(const Points& points, const std::vector<Index>& indices, double cell_size, unsigned threads);
+/// The lattice that suits the finite points given by \a indices; cell_size 0: chosen so that an
+/// occupied cell holds about 3 to 4 points.
+CellLattice chooseLattice(const Points& points, const std::vector<Index>& indices, double cell_size,
+                          unsigned threads);
 
 } // namespace graben::detail

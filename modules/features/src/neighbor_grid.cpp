@@ -41,7 +41,8 @@ struct BlockMasks {
   std::uint64_t of[3][4][4] = {};
   BlockMasks() {
     for (unsigned cell = 0; cell < 64; ++cell) {
-      const unsigned position[3] = {(cell & 1U) | (cell >> 2 & 2U), (cell >> 1 & 1U) | (cell >> 3 & 2U),
+      const unsigned position[3] = {(cell & 1U) | (cell >> 2 & 2U),
+                                    (cell >> 1 & 1U) | (cell >> 3 & 2U),
                                     (cell >> 2 & 1U) | (cell >> 4 & 2U)};
       for (unsigned axis = 0; axis < 3; ++axis)
         for (unsigned low = 0; low <= position[axis]; ++low)
@@ -64,18 +65,23 @@ void visitRuns(const Block& block, std::uint64_t cells, const Visit& visit) {
   while (cells != 0) {
     const auto cell = static_cast<unsigned>(__builtin_ctzll(cells));
     const std::uint64_t from_here = ~std::uint64_t(0) << cell;
-    const std::uint64_t unwanted = block.occupied & ~cells & from_here; // the next occupied cell that is not selected ends the run
+    const std::uint64_t unwanted =
+        block.occupied & ~cells &
+        from_here; // the next occupied cell that is not selected ends the run
     const unsigned end = unwanted == 0 ? 64U : static_cast<unsigned>(__builtin_ctzll(unwanted));
-    visit(std::size_t(block.first) + block.offset[cell], std::size_t(block.first) + block.offset[end]);
+    visit(std::size_t(block.first) + block.offset[cell],
+          std::size_t(block.first) + block.offset[end]);
     if (end == 64)
       return;
     cells &= ~std::uint64_t(0) << end;
   }
 }
 
-/// Calls visit(first, end) for runs of points in the cells of the range. Returns false, with some runs visited, if that would be too many points.
+/// Calls visit(first, end) for runs of points in the cells of the range. Returns false, with some
+/// runs visited, if that would be too many points.
 template <typename Visit>
-bool visitRange(const NeighborGridData& data, const CellRange& range, std::size_t budget, const Visit& visit) {
+bool visitRange(const NeighborGridData& data, const CellRange& range, std::size_t budget,
+                const Visit& visit) {
   bool within_budget = true;
   const auto visitCounted = [&](std::size_t first, std::size_t end) {
     within_budget = within_budget && end - first <= budget;
@@ -85,12 +91,14 @@ bool visitRange(const NeighborGridData& data, const CellRange& range, std::size_
     visit(first, end);
   };
   for (std::int64_t z = range.low[2] >> 2; z <= range.high[2] >> 2; ++z) {
-    const std::uint64_t z_mask = axisMask(range, 2, z), z_key = detail::spreadBits(static_cast<std::uint64_t>(z)) << 2;
+    const std::uint64_t z_mask = axisMask(range, 2, z),
+                        z_key = detail::spreadBits(static_cast<std::uint64_t>(z)) << 2;
     for (std::int64_t y = range.low[1] >> 2; y <= range.high[1] >> 2; ++y) {
       const std::uint64_t yz_mask = z_mask & axisMask(range, 1, y);
       const std::uint64_t yz_key = z_key | detail::spreadBits(static_cast<std::uint64_t>(y)) << 1;
       for (std::int64_t x = range.low[0] >> 2; x <= range.high[0] >> 2; ++x) {
-        const Block* block = data.findBlock(yz_key | detail::spreadBits(static_cast<std::uint64_t>(x)));
+        const Block* block =
+            data.findBlock(yz_key | detail::spreadBits(static_cast<std::uint64_t>(x)));
         if (block == nullptr)
           continue;
         if (block->crowded())
@@ -118,7 +126,8 @@ struct Candidates {
 thread_local Candidates thread_candidates;
 
 /// All points within sqrt(limit), in no order; false if the tree would do better.
-bool gather(const NeighborGridData& data, const Vector3& query, double limit, std::size_t budget, Candidates& out) {
+bool gather(const NeighborGridData& data, const Vector3& query, double limit, std::size_t budget,
+            Candidates& out) {
   const CellRange range(data.lattice, query, std::sqrt(limit));
   out.count = 0;
   if (range.blocks() > MAX_BLOCKS)
@@ -138,7 +147,8 @@ bool gather(const NeighborGridData& data, const Vector3& query, double limit, st
   });
 }
 
-/// A radius about the query likely to hold a few more than k points, from the density of the query's block; the points are taken to lie on a sheet.
+/// A radius about the query likely to hold a few more than k points, from the density of the
+/// query's block; the points are taken to lie on a sheet.
 double likelyRadius(const NeighborGridData& data, const Vector3& query, std::size_t k) {
   const Block* block = data.findBlock(data.lattice.blockKey(data.lattice.fineKey(query)));
   double points_per_cell = 2.0;
@@ -148,7 +158,8 @@ double likelyRadius(const NeighborGridData& data, const Vector3& query, std::siz
     points_per_cell = block->count / static_cast<double>(__builtin_popcountll(block->occupied));
   }
   const auto wanted = static_cast<double>(k);
-  return data.lattice.cell_size * std::sqrt((wanted + 2.0 + 1.3 * std::sqrt(wanted)) / (3.14159 * points_per_cell));
+  return data.lattice.cell_size *
+         std::sqrt((wanted + 2.0 + 1.3 * std::sqrt(wanted)) / (3.14159 * points_per_cell));
 }
 
 constexpr std::size_t FEW = 64;
@@ -163,8 +174,9 @@ void insertionSort(Neighbor* items, std::size_t count) {
   }
 }
 
-/// Sorts up to SLOTS candidates. Each one's rank is counted over 32-bit keys (the distance in float with the candidate's number in its last
-/// bits): a loop without branches that compilers vectorise. Insertion then puts right the few that float could not tell apart.
+/// Sorts up to SLOTS candidates. Each one's rank is counted over 32-bit keys (the distance in float
+/// with the candidate's number in its last bits): a loop without branches that compilers vectorise.
+/// Insertion then puts right the few that float could not tell apart.
 template <std::size_t SLOTS>
 void rankSort(const Candidates& candidates, std::vector<Neighbor>& out) {
   std::array<std::int32_t, SLOTS> keys;
@@ -200,7 +212,8 @@ void sorted(const Candidates& candidates, std::vector<Neighbor>& out) {
 }
 
 /// The k nearest by cells alone, in no order; false if the tree would do better.
-bool nearestInCells(const NeighborGridData& data, const Vector3& query, std::size_t k, double limit, Candidates& out) {
+bool nearestInCells(const NeighborGridData& data, const Vector3& query, std::size_t k, double limit,
+                    Candidates& out) {
   double radius = likelyRadius(data, query, k);
   const std::size_t budget = 256 + 16 * k;
   for (int attempt = 0; attempt < 4 && radius > 0.0; ++attempt) {
@@ -217,19 +230,27 @@ bool nearestInCells(const NeighborGridData& data, const Vector3& query, std::siz
 
 } // namespace
 
-NeighborGrid::NeighborGrid() : points_(&NO_POINTS), data_(std::make_shared<NeighborGridData>()) {}
+NeighborGrid::NeighborGrid()
+    : points_(&NO_POINTS)
+    , data_(std::make_shared<NeighborGridData>()) {}
 
-NeighborGrid::NeighborGrid(const Points& points, double cell_size, unsigned threads) : points_(&points) {
+NeighborGrid::NeighborGrid(const Points& points, double cell_size, unsigned threads)
+    : points_(&points) {
   auto data = std::make_shared<NeighborGridData>();
   data->build(points, cell_size, threads);
   data_ = std::move(data);
 }
 
-double NeighborGrid::cellSize() const { return data_->lattice.cell_size; }
+double NeighborGrid::cellSize() const {
+  return data_->lattice.cell_size;
+}
 
-const std::vector<Index>& NeighborGrid::order() const { return data_->ordered.index; }
+const std::vector<Index>& NeighborGrid::order() const {
+  return data_->ordered.index;
+}
 
-void NeighborGrid::nearest(const Vector3& query, std::size_t k, std::vector<Neighbor>& out, double max_distance) const {
+void NeighborGrid::nearest(const Vector3& query, std::size_t k, std::vector<Neighbor>& out,
+                           double max_distance) const {
   out.clear();
   k = std::min(k, size());
   if (k == 0 || !query.allFinite() || !(max_distance >= 0.0))
@@ -269,17 +290,20 @@ Neighbor NeighborGrid::nearestOne(const Vector3& query, double max_distance) con
   double squared = data.lattice.cell_size * data.lattice.cell_size * 0.5;
   for (int attempt = 0; attempt < 4; ++attempt, squared *= 4.0) {
     const CellRange range(data.lattice, query, std::sqrt(std::min(squared, limit)));
-    const bool done = range.blocks() <= MAX_BLOCKS && visitRange(data, range, 1024, [&](std::size_t first, std::size_t end) {
-      for (std::size_t i = first; i < end; ++i) {
-        const Neighbor candidate{data.ordered.index[i], data.ordered.squaredDistance(i, query)};
-        if (closer(candidate, best))
-          best = candidate;
-      }
-    });
+    const bool done =
+        range.blocks() <= MAX_BLOCKS &&
+        visitRange(data, range, 1024, [&](std::size_t first, std::size_t end) {
+          for (std::size_t i = first; i < end; ++i) {
+            const Neighbor candidate{data.ordered.index[i], data.ordered.squaredDistance(i, query)};
+            if (closer(candidate, best))
+              best = candidate;
+          }
+        });
     if (!done)
       break;
     if (best.squared_distance <= squared || squared >= limit)
-      return best.squared_distance <= limit ? best : Neighbor{-1, std::numeric_limits<double>::infinity()};
+      return best.squared_distance <= limit ? best
+                                            : Neighbor{-1, std::numeric_limits<double>::infinity()};
   }
   return data.tree.nearestOne(data.ordered, query, limit);
 }

@@ -24,7 +24,8 @@ void fillOffsets(Block& block, const std::uint64_t* keys, const CellLattice& lat
     ++block.offset[cell + 1];
   }
   for (std::size_t cell = 0; cell < 64; ++cell)
-    block.offset[cell + 1] = static_cast<std::uint16_t>(block.offset[cell + 1] + block.offset[cell]);
+    block.offset[cell + 1] =
+        static_cast<std::uint16_t>(block.offset[cell + 1] + block.offset[cell]);
 }
 
 } // namespace

@@ -14,7 +14,8 @@ struct Block {
   std::uint64_t occupied = 0; ///< bit c: cell c holds points
   std::uint32_t first = 0;    ///< first point in the order
   std::uint32_t count = 0;
-  std::array<std::uint16_t, 65> offset{}; ///< of each cell's first point from the block's first; not set in a crowded block
+  std::array<std::uint16_t, 65>
+      offset{}; ///< of each cell's first point from the block's first; not set in a crowded block
 
   static constexpr std::uint32_t CROWDED = 4096;
   bool crowded() const { return count > CROWDED; }
@@ -24,7 +25,8 @@ struct NeighborGridData {
   CellLattice lattice;
   OrderedPoints ordered;
   std::vector<Block> blocks;
-  std::vector<std::int32_t> table; ///< open-addressing hash: block key -> position in blocks, -1 where free
+  std::vector<std::int32_t>
+      table; ///< open-addressing hash: block key -> position in blocks, -1 where free
   unsigned table_shift = 63;
   PointTree tree;
 
@@ -42,7 +44,9 @@ struct NeighborGridData {
   }
 
 private:
-  std::size_t slotOf(std::uint64_t key) const { return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> table_shift); }
+  std::size_t slotOf(std::uint64_t key) const {
+    return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> table_shift);
+  }
   void buildBlocks(const std::vector<std::uint64_t>& keys, unsigned threads);
   void buildTable();
 };

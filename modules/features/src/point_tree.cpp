@@ -33,7 +33,8 @@ void PointTree::build(const OrderedPoints& points, unsigned threads) {
   std::vector<Node> leaves((count + FAN - 1) / FAN);
   parallelFor(leaves.size(), 4096, threads, [&](std::size_t n) {
     const std::size_t begin = n * FAN, end = std::min(count, begin + FAN);
-    Node node{Vector3(points.x[begin], points.y[begin], points.z[begin]), Vector3::Zero(), points.index[begin]};
+    Node node{Vector3(points.x[begin], points.y[begin], points.z[begin]), Vector3::Zero(),
+              points.index[begin]};
     node.high = node.low;
     for (std::size_t i = begin + 1; i < end; ++i) {
       const Vector3 p(points.x[i], points.y[i], points.z[i]);
@@ -59,14 +60,17 @@ void PointTree::build(const OrderedPoints& points, unsigned threads) {
   }
 }
 
-/// Nearest nodes first; prune(squared distance, least index) is asked before a node is opened, visit(i) gets each point of an opened leaf.
+/// Nearest nodes first; prune(squared distance, least index) is asked before a node is opened,
+/// visit(i) gets each point of an opened leaf.
 template <typename Prune, typename Visit>
-void PointTree::traverse(std::size_t points, const Vector3& query, const Prune& prune, const Visit& visit) const {
+void PointTree::traverse(std::size_t points, const Vector3& query, const Prune& prune,
+                         const Visit& visit) const {
   if (levels_.empty())
     return;
   std::array<Entry, MAX_STACK> stack;
   const Node& root = levels_.back().front();
-  stack[0] = {root.squaredDistance(query), root.least_index, static_cast<std::uint32_t>(levels_.size() - 1), 0};
+  stack[0] = {root.squaredDistance(query), root.least_index,
+              static_cast<std::uint32_t>(levels_.size() - 1), 0};
   std::size_t top = 1;
   while (top > 0) {
     const Entry entry = stack[--top];
@@ -81,7 +85,8 @@ void PointTree::traverse(std::size_t points, const Vector3& query, const Prune& 
     const std::vector<Node>& children = levels_[entry.level - 1];
     const std::size_t first = top;
     for (std::size_t c = begin; c < std::min(children.size(), begin + FAN); ++c) {
-      const Entry child{children[c].squaredDistance(query), children[c].least_index, entry.level - 1, c};
+      const Entry child{children[c].squaredDistance(query), children[c].least_index,
+                        entry.level - 1, c};
       if (prune(child.squared_distance, child.least_index))
         continue;
       std::size_t at = top++;
@@ -92,8 +97,8 @@ void PointTree::traverse(std::size_t points, const Vector3& query, const Prune& 
   }
 }
 
-void PointTree::nearest(const OrderedPoints& points, const Vector3& query, std::size_t k, double limit,
-                        std::vector<Neighbor>& out) const {
+void PointTree::nearest(const OrderedPoints& points, const Vector3& query, std::size_t k,
+                        double limit, std::vector<Neighbor>& out) const {
   out.clear();
   if (k == 0)
     return;
@@ -119,7 +124,8 @@ void PointTree::nearest(const OrderedPoints& points, const Vector3& query, std::
   });
 }
 
-Neighbor PointTree::nearestOne(const OrderedPoints& points, const Vector3& query, double limit) const {
+Neighbor PointTree::nearestOne(const OrderedPoints& points, const Vector3& query,
+                               double limit) const {
   Neighbor best{std::numeric_limits<Index>::max(), limit};
   const auto prune = [&best](double squared_distance, Index least_index) {
     return squared_distance > best.squared_distance ||
@@ -139,7 +145,8 @@ void PointTree::within(const OrderedPoints& points, const Vector3& query, double
                        std::vector<Neighbor>& out) const {
   out.clear();
   traverse(
-      points.index.size(), query, [&](double squared_distance, Index) { return squared_distance > limit; },
+      points.index.size(), query,
+      [&](double squared_distance, Index) { return squared_distance > limit; },
       [&](std::size_t i) {
         const double squared_distance = points.squaredDistance(i, query);
         if (squared_distance <= limit)

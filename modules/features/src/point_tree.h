@@ -20,36 +20,43 @@ inline bool closer(const Neighbor& a, const Neighbor& b) {
          (a.squared_distance == b.squared_distance && a.index < b.index);
 }
 
-/// Hierarchy of tight boxes over points that lie along a space-filling curve: 8 points in a leaf, 8 nodes in a node.
+/// Hierarchy of tight boxes over points that lie along a space-filling curve: 8 points in a leaf, 8
+/// nodes in a node.
 ///
-/// Its queries cost O(log n) whatever the density and wherever the query lies; the grid falls back on it where a walk over cells
-/// would be long. Nodes know their least index, so a pile of identical points costs no more than any other.
+/// Its queries cost O(log n) whatever the density and wherever the query lies; the grid falls back
+/// on it where a walk over cells would be long. Nodes know their least index, so a pile of
+/// identical points costs no more than any other.
 class PointTree {
 public:
   void build(const OrderedPoints& points, unsigned threads);
 
-  /// The k nearest points with squared distance of at most \a limit, in no order (a heap); \a out is overwritten.
+  /// The k nearest points with squared distance of at most \a limit, in no order (a heap); \a out
+  /// is overwritten.
   void nearest(const OrderedPoints& points, const Vector3& query, std::size_t k, double limit,
                std::vector<Neighbor>& out) const;
 
-  /// The nearest point with squared distance of at most \a limit; index -1 and an infinite distance if there is none.
+  /// The nearest point with squared distance of at most \a limit; index -1 and an infinite distance
+  /// if there is none.
   Neighbor nearestOne(const OrderedPoints& points, const Vector3& query, double limit) const;
 
   /// All points with squared distance of at most \a limit, in no order; \a out is overwritten.
-  void within(const OrderedPoints& points, const Vector3& query, double limit, std::vector<Neighbor>& out) const;
+  void within(const OrderedPoints& points, const Vector3& query, double limit,
+              std::vector<Neighbor>& out) const;
 
 private:
   struct Node {
     Vector3 low, high;
     Index least_index;
     double squaredDistance(const Vector3& q) const {
-      // The order of operations of a point's distance, so that rounding never puts the box behind a point in it.
+      // The order of operations of a point's distance, so that rounding never puts the box behind a
+      // point in it.
       const Vector3 d = (low - q).cwiseMax(q - high).cwiseMax(0.0);
       return d.x() * d.x() + d.y() * d.y() + d.z() * d.z();
     }
   };
   template <typename Prune, typename Visit>
-  void traverse(std::size_t points, const Vector3& query, const Prune& prune, const Visit& visit) const;
+  void traverse(std::size_t points, const Vector3& query, const Prune& prune,
+                const Visit& visit) const;
 
   std::vector<std::vector<Node>> levels_; ///< leaves first, root last
 };

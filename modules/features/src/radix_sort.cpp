@@ -12,7 +12,9 @@ constexpr unsigned DIGIT_BITS = 11;
 constexpr std::size_t DIGITS = std::size_t(1) << DIGIT_BITS;
 using Histogram = std::array<std::uint32_t, DIGITS>;
 
-std::size_t digitOf(std::uint64_t key, unsigned shift) { return (key >> shift) & (DIGITS - 1); }
+std::size_t digitOf(std::uint64_t key, unsigned shift) {
+  return (key >> shift) & (DIGITS - 1);
+}
 
 /// Turns counts per block and digit into the position of each block's first item of that digit.
 /// Returns false if all items share one digit, so that there is nothing to do.

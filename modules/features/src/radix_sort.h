@@ -12,7 +12,8 @@ struct KeyedIndex {
   Index index;
 };
 
-/// Stable sort by the low \a bits bits of the key; O(n bits / 11), the same result for any number of threads.
+/// Stable sort by the low \a bits bits of the key; O(n bits / 11), the same result for any number
+/// of threads.
 void radixSort(std::vector<KeyedIndex>& items, unsigned bits, unsigned threads);
 
 } // namespace graben::detail

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double NAN_VALUE = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<Neighbor> bruteForce(const Points& points, const Vector3& query, std::size_t k, double max_distance) {
+std::vector<Neighbor> bruteForce(const Points& points, const Vector3& query, std::size_t k,
+                                 double max_distance) {
   std::vector<Neighbor> all;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double squared = (points[i] - query).squaredNorm();
@@ -19,7 +20,8 @@ std::vector<Neighbor> bruteForce(const Points& points, const Vector3& query, std
       all.push_back({static_cast<Index>(i), squared});
   }
   std::sort(all.begin(), all.end(), [](const Neighbor& a, const Neighbor& b) {
-    return std::make_pair(a.squared_distance, a.index) < std::make_pair(b.squared_distance, b.index);
+    return std::make_pair(a.squared_distance, a.index) <
+           std::make_pair(b.squared_distance, b.index);
   });
   all.resize(std::min(all.size(), k));
   return all;
@@ -33,7 +35,8 @@ void expectSame(const std::vector<Neighbor>& found, const std::vector<Neighbor>&
   }
 }
 
-/// All kinds of queries about some points of the cloud and some off it, against a search through all points.
+/// All kinds of queries about some points of the cloud and some off it, against a search through
+/// all points.
 void checkAgainstBruteForce(const Points& points, double length) {
   constexpr std::size_t ALL = std::numeric_limits<std::size_t>::max();
   constexpr double ANYWHERE = std::numeric_limits<double>::infinity();
@@ -42,7 +45,8 @@ void checkAgainstBruteForce(const Points& points, double length) {
   test::Random random(7);
   std::vector<Neighbor> found;
   for (int q = 0; q < 60; ++q) {
-    Vector3 query = points[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(points.size())))];
+    Vector3 query =
+        points[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(points.size())))];
     if (q % 3 == 1)
       query += Vector3(random.normal(length), random.normal(length), random.normal(length));
     if (q % 3 == 2)
@@ -65,7 +69,9 @@ void checkAgainstBruteForce(const Points& points, double length) {
   }
 }
 
-TEST(NeighborGrid, SheetAgainstBruteForce) { checkAgainstBruteForce(test::wavySheet(4000, 1000.0, 1.0), 15.0); }
+TEST(NeighborGrid, SheetAgainstBruteForce) {
+  checkAgainstBruteForce(test::wavySheet(4000, 1000.0, 1.0), 15.0);
+}
 
 TEST(NeighborGrid, SheetAtUtmCoordinates) {
   Points points = test::wavySheet(2000, 1000.0, 1.0);
@@ -86,7 +92,8 @@ TEST(NeighborGrid, VolumeAndLine) {
   test::Random random(3);
   Points volume, line;
   for (int i = 0; i < 3000; ++i) {
-    volume.emplace_back(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+    volume.emplace_back(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0),
+                        random.uniform(-1.0, 1.0));
     line.emplace_back(random.uniform(0.0, 1e4), 3.0, -2.0);
   }
   checkAgainstBruteForce(volume, 0.1);
@@ -97,7 +104,8 @@ TEST(NeighborGrid, ClustersOfVeryDifferentDensity) {
   test::Random random(4);
   Points points = test::wavySheet(1500, 1000.0, 1.0);
   for (int i = 0; i < 6000; ++i)
-    points.emplace_back(500.0 + random.normal(0.01), 500.0 + random.normal(0.01), random.normal(0.01));
+    points.emplace_back(500.0 + random.normal(0.01), 500.0 + random.normal(0.01),
+                        random.normal(0.01));
   checkAgainstBruteForce(points, 0.01);
   checkAgainstBruteForce(points, 30.0);
 }
@@ -148,7 +156,8 @@ TEST(NeighborGrid, CellSizeGiven) {
 }
 
 TEST(NeighborGrid, NotFinitePointsAreLeftOut) {
-  const Points points = {{0, 0, 0}, {NAN_VALUE, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::infinity(), 0}};
+  const Points points = {
+      {0, 0, 0}, {NAN_VALUE, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::infinity(), 0}};
   const NeighborGrid grid(points);
   EXPECT_EQ(grid.size(), 2U);
   std::vector<Neighbor> found;

@@ -1,0 +1,155 @@
+#include "neighborhood_grower.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graben::detail {
+namespace {
+
+constexpr std::size_t FIRST_FACTOR =
+    3; ///< candidates asked for, in multiples of K, where not all of the K nearest join
+constexpr std::size_t LAST_FACTOR = 27;
+constexpr std::size_t ANCHORS = 4;
+
+} // namespace
+
+NeighborhoodGrower::NeighborhoodGrower(const NeighborGrid& grid, const FaultNetwork& faults,
+                                       const TangentPlaneOptions& options)
+    : grid_(grid)
+    , points_(grid.points())
+    , faults_(faults)
+    , wanted_(std::max<std::size_t>(options.neighbors, 3))
+    , step_(options.rho_plus_delta > 0.0 ? options.rho_plus_delta
+                                         : std::numeric_limits<double>::infinity()) {
+  squared_step_ = step_ * step_;
+}
+
+/// Fills candidates_ from the \a count nearest points; false if that gives fewer than K - 1
+/// distinct ones although there may be more.
+bool NeighborhoodGrower::queryCandidates(Index pick, std::size_t count) {
+  const Vector3& p = points_[static_cast<std::size_t>(pick)];
+  grid_.nearest(p, count, found_);
+  all_queried_ = found_.size() == grid_.size();
+  candidates_.clear();
+  Bounds box;
+  box.extend(p);
+  for (const Neighbor& neighbor : found_) {
+    if (neighbor.squared_distance == 0.0)
+      continue;
+    const Vector3& q = points_[static_cast<std::size_t>(neighbor.index)];
+    bool repeated = false;
+    for (auto other = candidates_.rbegin();
+         other != candidates_.rend() && other->squared_distance == neighbor.squared_distance;
+         ++other)
+      repeated = repeated || points_[static_cast<std::size_t>(other->index)] == q;
+    if (repeated)
+      continue;
+    box.extend(q);
+    candidates_.push_back(
+        {neighbor.index, neighbor.squared_distance, neighbor.squared_distance, true});
+  }
+  near_fault_ = !faults_.empty() && faults_.mayTouch(box);
+  return candidates_.size() + 1 >= wanted_ || all_queried_;
+}
+
+bool NeighborhoodGrower::stepsInto(const Vector3& point,
+                                   const std::vector<Index>& neighbors) const {
+  return std::any_of(neighbors.begin(), neighbors.end(), [&](Index n) {
+    return (points_[static_cast<std::size_t>(n)] - point).squaredNorm() < squared_step_;
+  });
+}
+
+/// The common case: no fault near, and every candidate may join when its turn comes. False if not
+/// so.
+bool NeighborhoodGrower::growInOrder(Index pick, std::vector<Index>& neighbors) const {
+  if (near_fault_ || candidates_.size() + 1 < wanted_)
+    return false;
+  neighbors.assign(1, pick);
+  for (std::size_t i = 0; i + 1 < wanted_; ++i) {
+    const Candidate& candidate = candidates_[i];
+    if (candidate.squared_distance >= squared_step_ &&
+        !stepsInto(points_[static_cast<std::size_t>(candidate.index)], neighbors))
+      return false;
+    neighbors.push_back(candidate.index);
+  }
+  return true;
+}
+
+void NeighborhoodGrower::join(Candidate& candidate, std::vector<Index>& neighbors) {
+  candidate.open = false;
+  neighbors.push_back(candidate.index);
+  const Vector3& q = points_[static_cast<std::size_t>(candidate.index)];
+  for (Candidate& other : candidates_)
+    if (other.open)
+      other.squared_step = std::min(
+          other.squared_step, (points_[static_cast<std::size_t>(other.index)] - q).squaredNorm());
+}
+
+/// Joins, time after time, the candidate nearest to the pick that is a step away and not across a
+/// fault as seen from the anchor.
+void NeighborhoodGrower::growByRounds(Index pick, const Vector3& anchor,
+                                      std::vector<Index>& neighbors) {
+  neighbors.assign(1, pick);
+  blocked_ = false;
+  for (Candidate& candidate : candidates_) {
+    candidate.open = true;
+    candidate.squared_step = candidate.squared_distance;
+  }
+  for (std::size_t i = 0; i < candidates_.size() && neighbors.size() < wanted_; ++i) {
+    Candidate& candidate = candidates_[i];
+    if (!candidate.open || candidate.squared_step >= squared_step_)
+      continue;
+    if (near_fault_ &&
+        faults_.crosses(anchor, points_[static_cast<std::size_t>(candidate.index)])) {
+      candidate.open = false;
+      blocked_ = true;
+      continue;
+    }
+    join(candidate, neighbors);
+    // The new neighbour may have brought an earlier candidate within a step.
+    for (std::size_t earlier = 0; earlier < i; ++earlier)
+      if (candidates_[earlier].open && candidates_[earlier].squared_step < squared_step_) {
+        i = earlier - 1; // wraps to the one before the first; the loop's ++i brings it back
+        break;
+      }
+  }
+}
+
+/// Whether points beyond the candidates could still join.
+bool NeighborhoodGrower::mayGrowFurther(const std::vector<Index>& neighbors) const {
+  if (neighbors.size() >= wanted_ || all_queried_ || candidates_.empty())
+    return false;
+  if (std::isinf(step_))
+    return true;
+  const Vector3& p = points_[static_cast<std::size_t>(neighbors.front())];
+  double reach = 0.0;
+  for (const Index n : neighbors)
+    reach = std::max(reach, (points_[static_cast<std::size_t>(n)] - p).norm());
+  return std::sqrt(candidates_.back().squared_distance) < reach + step_;
+}
+
+void NeighborhoodGrower::grow(Index pick, std::vector<Index>& neighbors) {
+  neighbors.clear();
+  const Vector3& p = points_[static_cast<std::size_t>(pick)];
+  if (!p.allFinite())
+    return;
+  std::size_t factor = 1;
+  bool enough = queryCandidates(pick, wanted_);
+  if (enough && growInOrder(pick, neighbors))
+    return;
+  for (factor = FIRST_FACTOR;; factor *= 3) {
+    enough = queryCandidates(pick, factor * wanted_);
+    if (!enough && factor < LAST_FACTOR)
+      continue;
+    growByRounds(pick, p, neighbors);
+    // A pick on a fault sees nothing; it takes the side of the nearest pick that does.
+    for (std::size_t a = 0;
+         a < std::min(ANCHORS, candidates_.size()) && neighbors.size() < 3 && blocked_; ++a)
+      growByRounds(pick, points_[static_cast<std::size_t>(candidates_[a].index)], neighbors);
+    if (factor >= LAST_FACTOR || (neighbors.size() >= wanted_ / 2 && neighbors.size() >= 6) ||
+        !mayGrowFurther(neighbors))
+      return;
+  }
+}
+
+} // namespace graben::detail

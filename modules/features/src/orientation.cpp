@@ -1,0 +1,109 @@
+#include "graben/features/orientation.h"
+
+#include "graben/core/errors.h"
+#include "graben/core/threads.h"
+#include "neighbor_graph.h"
+#include "signed_union_find.h"
+
+#include <cmath>
+
+namespace graben {
+namespace {
+
+constexpr double CLOSED =
+    0.3; ///< length of a component's mean normal below which it is taken to close on itself
+
+struct Component {
+  double count = 0.0;
+  Vector3 normals = Vector3::Zero(); ///< sum
+  Vector3 points = Vector3::Zero();  ///< sum, from the grid's first point
+  double outward = 0.0;              ///< sum of normal . point
+};
+
+/// Whether a component must be turned as a whole.
+bool isWrongWay(const Component& component, const Vector3& up) {
+  const Vector3 mean = component.normals / component.count;
+  if (mean.norm() < CLOSED && component.count > 3.0)
+    return component.outward - component.points.dot(mean) < 0.0; // about the centroid
+  return mean.dot(up) < 0.0;
+}
+
+void check(const NeighborGrid& grid, const OrientationOptions& options, const Points& normals) {
+  const std::string stage = "orienting normals";
+  if (normals.size() != grid.points().size())
+    throw InvalidInputError(stage, "There must be one normal for each pick.");
+  if (!options.up.allFinite() || options.up.isZero())
+    throw InvalidInputError(stage, "The up axis must be finite and not zero.");
+  if (std::isnan(options.rho_plus_delta) || options.rho_plus_delta < 0.0)
+    throw InvalidInputError(stage, "rho + delta must be 0 (no limit) or positive.");
+  if (options.neighbors == 0)
+    throw InvalidInputError(stage, "The spanning tree needs one neighbour or more for each pick.");
+  if (static_cast<double>(grid.size()) * static_cast<double>(options.neighbors) >
+      std::numeric_limits<Index>::max())
+    throw InvalidInputError(stage, "The spanning tree has more edges than a 32-bit index counts; "
+                                   "ask for fewer neighbours or orient by the up axis.");
+}
+
+OrientationResult orientBySpanningTree(const NeighborGrid& grid, const FaultNetwork& faults,
+                                       const OrientationOptions& options, Points& normals) {
+  const std::vector<Index>& order = grid.order();
+  const auto normalOf = [&](Index node) -> Vector3& {
+    return normals[static_cast<std::size_t>(order[static_cast<std::size_t>(node)])];
+  };
+  detail::SignedUnionFind sets(order.size());
+  for (const auto& edge : detail::NeighborGraph(grid, faults, options, normals).sortedEdges())
+    sets.join(edge.from, edge.to, normalOf(edge.from).dot(normalOf(edge.to)) < 0.0);
+
+  OrientationResult result;
+  result.of_pick.assign(normals.size(), -1);
+  std::vector<Index> label(order.size(), -1);
+  std::vector<Component> components;
+  const Vector3 origin = order.empty() ? Vector3(Vector3::Zero())
+                                       : grid.points()[static_cast<std::size_t>(order.front())];
+  for (std::size_t node = 0; node < order.size(); ++node) {
+    Vector3& normal = normalOf(static_cast<Index>(node));
+    if (!normal.allFinite())
+      continue;
+    const auto [root, flipped] = sets.find(static_cast<Index>(node));
+    Index& component = label[static_cast<std::size_t>(root)];
+    if (component < 0) {
+      component = static_cast<Index>(components.size());
+      components.emplace_back();
+    }
+    if (flipped)
+      normal = -normal;
+    const auto pick = static_cast<std::size_t>(order[node]);
+    const Vector3 point = grid.points()[pick] - origin;
+    Component& sums = components[static_cast<std::size_t>(component)];
+    sums.count += 1.0;
+    sums.normals += normal;
+    sums.points += point;
+    sums.outward += normal.dot(point);
+    result.of_pick[pick] = component;
+  }
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    if (result.of_pick[i] >= 0 &&
+        isWrongWay(components[static_cast<std::size_t>(result.of_pick[i])], options.up))
+      normals[i] = -normals[i];
+  result.components = components.size();
+  return result;
+}
+
+} // namespace
+
+OrientationResult orientNormals(const NeighborGrid& grid, const FaultNetwork& faults,
+                                const OrientationOptions& options, Points& normals) {
+  check(grid, options, normals);
+  if (options.method == OrientationMethod::SpanningTree)
+    return orientBySpanningTree(grid, faults, options, normals);
+  constexpr std::size_t GRAIN = 1 << 14;
+  parallelFor(normals.size(), GRAIN, options.threads, [&](std::size_t i) {
+    if (normals[i].dot(options.up) < 0.0)
+      normals[i] = -normals[i];
+  });
+  OrientationResult result;
+  result.components = 1;
+  return result;
+}
+
+} // namespace graben
