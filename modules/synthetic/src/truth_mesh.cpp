@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <tuple>
 #include <unordered_map>
 
 namespace graben {
@@ -100,8 +101,9 @@ private:
   /// Moves vertices close to the cutoff onto it, so that the cut leaves no slivers.
   void snap(std::size_t fault) {
     const double reach = 0.3 * step_;
+    snapToMeetingPoints(fault);
     for (Corner& corner : corners_) {
-      if (corner.fixed || (corner.on_x_edge && corner.on_y_edge) || (corner.cuts >> fault & 1u) != 0)
+      if (corner.cuts != 0 || corner.fixed || (corner.on_x_edge && corner.on_y_edge))
         continue;
       const double distance = inside(fault, corner);
       if (std::abs(distance) >= reach)
@@ -114,12 +116,38 @@ private:
     }
   }
 
+  /// Moves to each point where two cutoffs meet the nearest vertex that is on one of them.
+  void snapToMeetingPoints(std::size_t fault) {
+    const auto near = [&](const Corner& corner) {
+      return corner.cuts != 0 && !corner.fixed && !corner.on_x_edge && !corner.on_y_edge &&
+             std::abs(inside(fault, corner)) < 0.3 * step_;
+    };
+    struct Move {
+      double length;
+      std::size_t corner;
+      Vector2 target;
+    };
+    std::vector<Move> moves;
+    for (std::size_t v = 0; v < corners_.size(); ++v)
+      if (near(corners_[v]))
+        if (const auto target = meetingPoint(corners_[v].cuts, fault, corners_[v].position, 0.6 * step_))
+          moves.push_back({(*target - corners_[v].position).norm(), v, *target});
+    std::sort(moves.begin(), moves.end(), [](const Move& a, const Move& b) {
+      return std::tie(a.length, a.corner) < std::tie(b.length, b.corner);
+    });
+    std::vector<Vector2> taken;
+    for (const Move& move : moves) {
+      if (std::any_of(taken.begin(), taken.end(), [&](const Vector2& t) { return (t - move.target).norm() < step_; }))
+        continue;
+      taken.push_back(move.target);
+      corners_[move.corner].position = move.target;
+      corners_[move.corner].cuts |= 1u << fault;
+    }
+  }
+
   std::optional<Vector2> snapTarget(std::size_t fault, const Corner& corner) const {
-    const bool on_edge = corner.on_x_edge || corner.on_y_edge;
-    if (corner.cuts != 0)
-      return on_edge ? std::nullopt : meetingPoint(corner.cuts, fault, corner.position, 0.6 * step_);
     Vector2 direction = structure_.faults[fault].across;
-    if (on_edge)
+    if (corner.on_x_edge || corner.on_y_edge)
       direction = corner.on_x_edge ? Vector2::UnitY() : Vector2::UnitX();
     const double limit = 0.45 * step_;
     const auto along = [&](double t) { return inside(fault, corner.position + t * direction); };
