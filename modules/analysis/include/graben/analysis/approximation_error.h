@@ -1,0 +1,35 @@
+#pragma once
+
+#include "graben/analysis/statistics.h"
+#include "graben/faults/fault_network.h"
+#include "graben/mesh/triangle_bvh.h"
+
+#include <vector>
+
+namespace graben {
+
+/// The paper's E(M, X), the mean of d(p, M)^2 over the picks, as mean_square; with the distances'
+/// other figures. Picks that are not finite are left out (count says how many were used).
+///
+/// \param[in] mesh      hierarchy of the surface M
+/// \param[in] threads   0: one per processor
+/// O(n log m), deterministic. \throw InvalidInputError if there is no triangle
+DistanceStatistics approximationError(const TriangleBvh& mesh, const Points& picks,
+                                      unsigned threads = 0);
+DistanceStatistics approximationError(const TriangleMesh& mesh, const Points& picks,
+                                      unsigned threads = 0);
+
+/// The same over the picks \a selection names (the paper's X_S, see zonePicks).
+/// \throw InvalidInputError also if an index is out of range
+DistanceStatistics approximationError(const TriangleBvh& mesh, const Points& picks,
+                                      const std::vector<Index>& selection, unsigned threads = 0);
+DistanceStatistics approximationError(const TriangleMesh& mesh, const Points& picks,
+                                      const std::vector<Index>& selection, unsigned threads = 0);
+
+/// The picks within \a width of any fault, in rising order: the paper's X_S.
+/// \param[in] width distance to the fault surface, 0 or more, unit of the coordinates
+/// \throw InvalidInputError if the width is negative or NaN
+std::vector<Index> zonePicks(const Points& picks, const FaultNetwork& network, double width,
+                             unsigned threads = 0);
+
+} // namespace graben

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "graben/analysis/statistics.h"
+#include "graben/faults/fault_network.h"
+
+namespace graben {
+
+struct SurfaceDistanceOptions {
+  std::size_t samples = 100000; ///< sample points on each surface, 1 or more
+  double zone_width =
+      0.0; ///< sample points up to this far from a fault are near, unit of the coordinates
+  unsigned threads = 0; ///< 0: one per processor
+};
+
+/// Distances from one surface to another. The samples are spread evenly over the area, so means and
+/// quantiles are area-weighted; max is over the vertices as well.
+struct OneWayDistances {
+  DistanceStatistics all;
+  DistanceStatistics near; ///< within the zone width of a fault
+  DistanceStatistics far;
+};
+
+struct SurfaceDistances {
+  OneWayDistances to_truth;   ///< from the mesh to the truth: what is there and should not be
+  OneWayDistances from_truth; ///< from the truth to the mesh: what is missing
+};
+
+/// Distances both ways between a mesh and the true surface; O((n + samples) log n), deterministic.
+/// \param[in] network the faults that split near from far; without faults all is far
+/// \throw InvalidInputError if a mesh is not valid or has no triangle with an area, or an option is
+/// out of range
+SurfaceDistances surfaceDistances(const TriangleMesh& mesh, const TriangleMesh& truth,
+                                  const FaultNetwork& network = {},
+                                  const SurfaceDistanceOptions& options = {});
+
+/// Points spread evenly over the area of a mesh: stratified over the triangles in their order,
+/// quasi-random inside. O(count + n), deterministic. \throw InvalidInputError if no triangle has an
+/// area
+Points sampleSurface(const TriangleMesh& mesh, std::size_t count);
+
+} // namespace graben
