@@ -16,15 +16,22 @@ struct EdgeEntry {
 };
 
 Index startOf(const TriangleMesh& mesh, Index half_edge) {
-  return mesh.triangles[static_cast<std::size_t>(half_edge / 3)][static_cast<std::size_t>(half_edge % 3)];
+  return mesh
+      .triangles[static_cast<std::size_t>(half_edge / 3)][static_cast<std::size_t>(half_edge % 3)];
 }
 
-Index nextInTriangle(Index half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
+Index nextInTriangle(Index half_edge) {
+  return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
+}
 
-bool repeatsVertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+bool repeatsVertex(const Triangle& t) {
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
 
-/// All half-edges of proper triangles, grouped by lower vertex: those of vertex v are entries [first[v], first[v + 1]).
-void listEdges(const TriangleMesh& mesh, std::vector<std::size_t>& first, std::vector<EdgeEntry>& entries) {
+/// All half-edges of proper triangles, grouped by lower vertex: those of vertex v are entries
+/// [first[v], first[v + 1]).
+void listEdges(const TriangleMesh& mesh, std::vector<std::size_t>& first,
+               std::vector<EdgeEntry>& entries) {
   first.assign(mesh.vertices.size() + 1, 0);
   const auto visit = [&mesh](const auto& body) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -47,7 +54,8 @@ void listEdges(const TriangleMesh& mesh, std::vector<std::size_t>& first, std::v
 
 } // namespace
 
-EdgeAdjacency::EdgeAdjacency(const TriangleMesh& mesh) : twin_(3 * mesh.triangles.size(), kNonManifold) {
+EdgeAdjacency::EdgeAdjacency(const TriangleMesh& mesh)
+    : twin_(3 * mesh.triangles.size(), kNonManifold) {
   std::vector<std::size_t> first;
   std::vector<EdgeEntry> entries;
   listEdges(mesh, first, entries);
@@ -69,7 +77,8 @@ EdgeAdjacency::EdgeAdjacency(const TriangleMesh& mesh) : twin_(3 * mesh.triangle
   }
 }
 
-std::vector<std::vector<Index>> borderLoops(const TriangleMesh& mesh, const EdgeAdjacency& adjacency) {
+std::vector<std::vector<Index>> borderLoops(const TriangleMesh& mesh,
+                                            const EdgeAdjacency& adjacency) {
   std::vector<std::vector<Index>> loops;
   const auto half_edges = static_cast<Index>(3 * mesh.triangles.size());
   std::vector<bool> done(static_cast<std::size_t>(half_edges), false);

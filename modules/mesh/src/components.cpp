@@ -43,7 +43,8 @@ Components connectedComponents(const TriangleMesh& mesh) {
   Components result;
   result.of_triangle.resize(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    Index& n = number[static_cast<std::size_t>(root[static_cast<std::size_t>(mesh.triangles[t][0])])];
+    Index& n =
+        number[static_cast<std::size_t>(root[static_cast<std::size_t>(mesh.triangles[t][0])])];
     if (n < 0) {
       n = static_cast<Index>(count.size());
       count.push_back(0);
@@ -53,7 +54,8 @@ Components connectedComponents(const TriangleMesh& mesh) {
   }
   std::vector<std::size_t> order(count.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&count](std::size_t a, std::size_t b) { return count[a] > count[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&count](std::size_t a, std::size_t b) { return count[a] > count[b]; });
   std::vector<Index> rank(count.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     rank[order[i]] = static_cast<Index>(i);
@@ -70,8 +72,11 @@ Components connectedComponents(const TriangleMesh& mesh) {
 
 Components labelPieces(TriangleMesh& mesh) {
   Components components = connectedComponents(mesh);
-  if (std::find(components.of_vertex.begin(), components.of_vertex.end(), -1) != components.of_vertex.end())
-    throw InvalidInputError("labelling pieces", "the mesh has a vertex that no triangle uses; remove such vertices first");
+  if (std::find(components.of_vertex.begin(), components.of_vertex.end(), -1) !=
+      components.of_vertex.end())
+    throw InvalidInputError(
+        "labelling pieces",
+        "the mesh has a vertex that no triangle uses; remove such vertices first");
   mesh.piece = components.of_vertex;
   return components;
 }

@@ -72,7 +72,8 @@ const PCLPointField* findField(const pcl::PCLPointCloud2& cloud, const std::stri
 }
 
 bool isReal(const PCLPointField* field) {
-  return field != nullptr && (field->datatype == PCLPointField::FLOAT32 || field->datatype == PCLPointField::FLOAT64);
+  return field != nullptr &&
+         (field->datatype == PCLPointField::FLOAT32 || field->datatype == PCLPointField::FLOAT64);
 }
 
 double realAt(const std::uint8_t* point, const PCLPointField& field) {
@@ -107,7 +108,8 @@ std::vector<const PCLPointField*> scalarFields(const pcl::PCLPointCloud2& cloud)
   taken.insert(kNormalAxes.begin(), kNormalAxes.end());
   std::vector<const PCLPointField*> result;
   for (const PCLPointField& field : cloud.fields)
-    if (field.datatype == PCLPointField::FLOAT32 && field.count <= 1 && taken.insert(field.name).second)
+    if (field.datatype == PCLPointField::FLOAT32 && field.count <= 1 &&
+        taken.insert(field.name).second)
       result.push_back(&field);
   return result;
 }
@@ -116,28 +118,32 @@ std::vector<const PCLPointField*> scalarFields(const pcl::PCLPointCloud2& cloud)
 std::size_t checkedRowStep(const pcl::PCLPointCloud2& cloud) {
   const std::size_t row = std::size_t{cloud.width} * cloud.point_step;
   const std::size_t step = cloud.height > 1 && cloud.row_step > row ? cloud.row_step : row;
-  const std::size_t needed = cloud.height == 0 || cloud.width == 0 ? 0 : step * (cloud.height - 1) + row;
+  const std::size_t needed =
+      cloud.height == 0 || cloud.width == 0 ? 0 : step * (cloud.height - 1) + row;
   if (cloud.data.size() < needed)
     throw InvalidInputError(kStage, "the cloud says it has " + std::to_string(cloud.width) + " x " +
-                                        std::to_string(cloud.height) + " points, but its data are shorter");
+                                        std::to_string(cloud.height) +
+                                        " points, but its data are shorter");
   for (const PCLPointField& field : cloud.fields) {
     const std::size_t size = field.datatype == PCLPointField::FLOAT64 ? 8 : 4;
     const bool read = field.datatype == PCLPointField::FLOAT32 || size == 8 || field.name == kLabel;
     if (read && field.offset + size > cloud.point_step)
-      throw InvalidInputError(kStage, "the field " + field.name + " reaches past the end of a point");
+      throw InvalidInputError(kStage,
+                              "the field " + field.name + " reaches past the end of a point");
   }
   return step;
 }
 
-/// Appends the points of the cloud. \return the vertex of every point, -1 for one that is not finite
+/// Appends the points of the cloud. \return the vertex of every point, -1 for one that is not
+/// finite
 std::vector<Index> readVertices(const pcl::PCLPointCloud2& cloud, TriangleMesh& out) {
   const VectorFields position(cloud, kAxes);
   if (position.empty())
     throw InvalidInputError(kStage, "the cloud has no float fields x, y and z");
   const VectorFields normal(cloud, kNormalAxes);
   const PCLPointField* label = findField(cloud, kLabel);
-  const bool has_label =
-      label != nullptr && (label->datatype == PCLPointField::UINT32 || label->datatype == PCLPointField::INT32);
+  const bool has_label = label != nullptr && (label->datatype == PCLPointField::UINT32 ||
+                                              label->datatype == PCLPointField::INT32);
   const std::vector<const PCLPointField*> scalars = scalarFields(cloud);
   const std::size_t row_step = checkedRowStep(cloud);
   std::vector<Index> vertex;
@@ -162,7 +168,8 @@ std::vector<Index> readVertices(const pcl::PCLPointCloud2& cloud, TriangleMesh& 
 
 bool cornersExist(const pcl::Vertices& polygon, const std::vector<Index>& vertex) {
   for (const auto corner : polygon.vertices)
-    if (corner < 0 || static_cast<std::size_t>(corner) >= vertex.size() || vertex[static_cast<std::size_t>(corner)] < 0)
+    if (corner < 0 || static_cast<std::size_t>(corner) >= vertex.size() ||
+        vertex[static_cast<std::size_t>(corner)] < 0)
       return false;
   return polygon.vertices.size() >= 3;
 }
@@ -206,7 +213,9 @@ TriangleMesh fromPolygonMesh(const pcl::PolygonMesh& mesh) {
   for (const pcl::Vertices& polygon : mesh.polygons) {
     if (!cornersExist(polygon, vertex))
       continue;
-    const auto at = [&](std::size_t i) { return vertex[static_cast<std::size_t>(polygon.vertices[i])]; };
+    const auto at = [&](std::size_t i) {
+      return vertex[static_cast<std::size_t>(polygon.vertices[i])];
+    };
     for (std::size_t i = 2; i < polygon.vertices.size(); ++i)
       out.triangles.push_back({at(0), at(i - 1), at(i)});
   }

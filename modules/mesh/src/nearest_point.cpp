@@ -12,9 +12,10 @@ bool lexicographicallyBefore(const Vector3& a, const Vector3& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-/// Nearest point on the edge from corner i to corner j. Evaluated in an order that depends on the ends alone, so that
-/// both triangles of a shared edge find the same point to the last bit.
-TrianglePoint nearestOnEdge(const Vector3& p, const std::array<const Vector3*, 3>& corners, int i, int j) {
+/// Nearest point on the edge from corner i to corner j. Evaluated in an order that depends on the
+/// ends alone, so that both triangles of a shared edge find the same point to the last bit.
+TrianglePoint nearestOnEdge(const Vector3& p, const std::array<const Vector3*, 3>& corners, int i,
+                            int j) {
   if (lexicographicallyBefore(*corners[j], *corners[i]))
     std::swap(i, j);
   const Vector3& a = *corners[i];
@@ -48,7 +49,8 @@ TrianglePoint corner(const std::array<const Vector3*, 3>& corners, int i) {
 
 } // namespace
 
-TrianglePoint nearestPointOnTriangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c) {
+TrianglePoint nearestPointOnTriangle(const Vector3& p, const Vector3& a, const Vector3& b,
+                                     const Vector3& c) {
   constexpr double thin = 1e-10; // height over longest edge
   const std::array<const Vector3*, 3> corners{&a, &b, &c};
   const Vector3 ab = b - a;

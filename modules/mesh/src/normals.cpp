@@ -10,12 +10,15 @@ namespace graben {
 
 namespace {
 
-/// Corners (3 t + e) of proper triangles grouped by vertex: those of v are corners[first[v]] to corners[first[v + 1] - 1].
+/// Corners (3 t + e) of proper triangles grouped by vertex: those of v are corners[first[v]] to
+/// corners[first[v + 1] - 1].
 struct VertexCorners {
   std::vector<std::size_t> first;
   std::vector<std::size_t> corners;
 
-  explicit VertexCorners(const TriangleMesh& mesh) : first(mesh.vertices.size() + 1, 0), corners(3 * mesh.triangles.size()) {
+  explicit VertexCorners(const TriangleMesh& mesh)
+      : first(mesh.vertices.size() + 1, 0)
+      , corners(3 * mesh.triangles.size()) {
     for (const Triangle& triangle : mesh.triangles)
       for (const Index v : triangle)
         ++first[static_cast<std::size_t>(v) + 1];
@@ -30,7 +33,9 @@ struct VertexCorners {
 
 Vector3 weightedNormal(const TriangleMesh& mesh, std::size_t corner) {
   const Triangle& t = mesh.triangles[corner / 3];
-  const auto at = [&](std::size_t e) -> const Vector3& { return mesh.vertices[static_cast<std::size_t>(t[e % 3])]; };
+  const auto at = [&](std::size_t e) -> const Vector3& {
+    return mesh.vertices[static_cast<std::size_t>(t[e % 3])];
+  };
   const Vector3 u = at(corner % 3 + 1) - at(corner % 3);
   const Vector3 w = at(corner % 3 + 2) - at(corner % 3);
   const Vector3 n = u.cross(w);

@@ -27,11 +27,17 @@ double squaredDistance(const Bounds& box, const Vector3& p) {
 /// A segment made ready for many tests.
 struct SegmentQuery {
   Vector3 a, b, d, inverse;
-  double tolerance; ///< distance within which something is on the segment's end or a triangle's edge
+  double
+      tolerance; ///< distance within which something is on the segment's end or a triangle's edge
   double length;
 
-  SegmentQuery(const Vector3& from, const Vector3& to, double scale) : a(from), b(to), d(to - from), inverse(d.cwiseInverse()) {
-    tolerance = 8.0 * kEpsilon * std::max({scale, a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()});
+  SegmentQuery(const Vector3& from, const Vector3& to, double scale)
+      : a(from)
+      , b(to)
+      , d(to - from)
+      , inverse(d.cwiseInverse()) {
+    tolerance =
+        8.0 * kEpsilon * std::max({scale, a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()});
     length = d.norm();
   }
 
@@ -56,7 +62,9 @@ struct SegmentQuery {
   }
 };
 
-int signBeyond(double value, double limit) { return value > limit ? 1 : (value < -limit ? -1 : 0); }
+int signBeyond(double value, double limit) {
+  return value > limit ? 1 : (value < -limit ? -1 : 0);
+}
 
 /// Where a segment meets one triangle.
 struct TriangleHit {
@@ -64,8 +72,9 @@ struct TriangleHit {
   unsigned on_edges = 0; ///< bit e: on edge e, within tolerance
 };
 
-/// Signed volumes decide, each against a bound on its own rounding error; what is in doubt counts as touching. So of the two
-/// triangles at an edge at least one is hit, whichever way the rounding went.
+/// Signed volumes decide, each against a bound on its own rounding error; what is in doubt counts
+/// as touching. So of the two triangles at an edge at least one is hit, whichever way the rounding
+/// went.
 bool meets(const SegmentQuery& s, const Corners& c, TriangleHit& hit) {
   const Vector3 e1 = c[1] - c[0];
   const Vector3 e2 = c[2] - c[0];
@@ -104,9 +113,11 @@ Vector3 pointAt(const Vector3& a, const Vector3& b, double parameter) {
 /// A hit with the corners that span the edge or corner it lies on.
 struct EdgeHit {
   SegmentHit hit;
-  std::array<const Vector3*, 2> ends{}; ///< null: inside the triangle; twice the same: on that corner
+  std::array<const Vector3*, 2>
+      ends{}; ///< null: inside the triangle; twice the same: on that corner
 
-  EdgeHit(const SegmentHit& h, const Corners& c, unsigned on_edges) : hit(h) {
+  EdgeHit(const SegmentHit& h, const Corners& c, unsigned on_edges)
+      : hit(h) {
     for (unsigned e = 0; e < 3; ++e) {
       const bool here = (on_edges & (1U << e)) != 0;
       const bool before = (on_edges & (1U << ((e + 2) % 3))) != 0;
@@ -129,7 +140,8 @@ bool samePassage(const EdgeHit& p, const EdgeHit& q, double tolerance) {
     return true;
   for (const Vector3* i : p.ends)
     for (const Vector3* j : q.ends)
-      if (*i == *j && (p.hit.point - *i).norm() <= tolerance && (q.hit.point - *i).norm() <= tolerance)
+      if (*i == *j && (p.hit.point - *i).norm() <= tolerance &&
+          (q.hit.point - *i).norm() <= tolerance)
         return true;
   return false;
 }
@@ -167,9 +179,12 @@ MeshPoint TriangleBvh::nearest(const Vector3& p, double max_distance) const {
   MeshPoint best;
   if (empty() || !p.allFinite() || !(max_distance >= 0.0))
     return best;
-  // Boxes are passed over only where they are farther than the best by more than rounding, so that ties are seen.
+  // Boxes are passed over only where they are farther than the best by more than rounding, so that
+  // ties are seen.
   const double rounding = 8.0 * kEpsilon * std::max(scale_, p.cwiseAbs().maxCoeff());
-  const auto reach = [rounding](double distance) { return (distance + rounding) * (distance + rounding); };
+  const auto reach = [rounding](double distance) {
+    return (distance + rounding) * (distance + rounding);
+  };
   double best2 = max_distance * max_distance;
   double limit = reach(max_distance);
   std::array<StackEntry, kStackSize> stack; // NOLINT: filled as far as it is read
@@ -182,7 +197,8 @@ MeshPoint TriangleBvh::nearest(const Vector3& p, double max_distance) const {
     const Node& node = nodes_[top.node];
     if (node.count == 0) {
       StackEntry near{top.node + 1, squaredDistance(nodes_[top.node + 1].bounds, p)};
-      StackEntry far{static_cast<std::size_t>(node.right), squaredDistance(nodes_[static_cast<std::size_t>(node.right)].bounds, p)};
+      StackEntry far{static_cast<std::size_t>(node.right),
+                     squaredDistance(nodes_[static_cast<std::size_t>(node.right)].bounds, p)};
       if (far.key < near.key)
         std::swap(near, far);
       if (far.key <= limit)
@@ -191,10 +207,14 @@ MeshPoint TriangleBvh::nearest(const Vector3& p, double max_distance) const {
         stack[size++] = near;
       continue;
     }
-    for (auto i = static_cast<std::size_t>(node.first), end = i + static_cast<std::size_t>(node.count); i < end; ++i) {
-      const TrianglePoint found = nearestPointOnTriangle(p, corners_[i][0], corners_[i][1], corners_[i][2]);
+    for (auto i = static_cast<std::size_t>(node.first),
+              end = i + static_cast<std::size_t>(node.count);
+         i < end; ++i) {
+      const TrianglePoint found =
+          nearestPointOnTriangle(p, corners_[i][0], corners_[i][1], corners_[i][2]);
       const double d2 = (found.point - p).squaredNorm();
-      const bool better = d2 < best2 || (d2 == best2 && (best.triangle < 0 || order_[i] < best.triangle));
+      const bool better =
+          d2 < best2 || (d2 == best2 && (best.triangle < 0 || order_[i] < best.triangle));
       if (!better)
         continue;
       best2 = d2;
@@ -210,7 +230,7 @@ void TriangleBvh::walkSegment(const Vector3& a, const Vector3& b, const OnHit& o
   if (empty() || !a.allFinite() || !b.allFinite())
     return;
   const SegmentQuery segment(a, b, scale_);
-  double limit = 1.0; // on_hit lowers it; below 0 ends the walk
+  double limit = 1.0;                       // on_hit lowers it; below 0 ends the walk
   std::array<StackEntry, kStackSize> stack; // NOLINT: filled as far as it is read
   std::size_t size = 0;
   stack[size++] = {0, segment.entry(bounds())};
@@ -221,7 +241,8 @@ void TriangleBvh::walkSegment(const Vector3& a, const Vector3& b, const OnHit& o
     const Node& node = nodes_[top.node];
     if (node.count == 0) {
       StackEntry near{top.node + 1, segment.entry(nodes_[top.node + 1].bounds)};
-      StackEntry far{static_cast<std::size_t>(node.right), segment.entry(nodes_[static_cast<std::size_t>(node.right)].bounds)};
+      StackEntry far{static_cast<std::size_t>(node.right),
+                     segment.entry(nodes_[static_cast<std::size_t>(node.right)].bounds)};
       if (far.key < near.key)
         std::swap(near, far);
       if (far.key <= limit)
@@ -231,7 +252,9 @@ void TriangleBvh::walkSegment(const Vector3& a, const Vector3& b, const OnHit& o
       continue;
     }
     TriangleHit hit;
-    for (auto i = static_cast<std::size_t>(node.first), end = i + static_cast<std::size_t>(node.count); i < end; ++i)
+    for (auto i = static_cast<std::size_t>(node.first),
+              end = i + static_cast<std::size_t>(node.count);
+         i < end; ++i)
       if (meets(segment, corners_[i], hit))
         limit = on_hit(i, hit.parameter, hit.on_edges);
   }
@@ -241,7 +264,8 @@ std::optional<SegmentHit> TriangleBvh::firstHit(const Vector3& a, const Vector3&
   SegmentHit best;
   best.parameter = 1.0;
   walkSegment(a, b, [&](std::size_t i, double parameter, unsigned) {
-    if (best.triangle < 0 || parameter < best.parameter || (parameter == best.parameter && order_[i] < best.triangle))
+    if (best.triangle < 0 || parameter < best.parameter ||
+        (parameter == best.parameter && order_[i] < best.triangle))
       best = {order_[i], parameter, pointAt(a, b, parameter)};
     return best.parameter;
   });
@@ -251,7 +275,8 @@ std::optional<SegmentHit> TriangleBvh::firstHit(const Vector3& a, const Vector3&
 std::vector<SegmentHit> TriangleBvh::allHits(const Vector3& a, const Vector3& b) const {
   std::vector<EdgeHit> found;
   walkSegment(a, b, [&](std::size_t i, double parameter, unsigned on_edges) {
-    found.emplace_back(SegmentHit{order_[i], parameter, pointAt(a, b, parameter)}, corners_[i], on_edges);
+    found.emplace_back(SegmentHit{order_[i], parameter, pointAt(a, b, parameter)}, corners_[i],
+                       on_edges);
     return 1.0;
   });
   std::sort(found.begin(), found.end(),
@@ -288,7 +313,9 @@ void TriangleBvh::forEachInBox(const Bounds& box, const std::function<bool(Index
       stack[size++] = top + 1;
       continue;
     }
-    for (auto i = static_cast<std::size_t>(node.first), end = i + static_cast<std::size_t>(node.count); i < end; ++i) {
+    for (auto i = static_cast<std::size_t>(node.first),
+              end = i + static_cast<std::size_t>(node.count);
+         i < end; ++i) {
       Bounds triangle;
       for (const Vector3& corner : corners_[i])
         triangle.extend(corner);

@@ -9,7 +9,8 @@ namespace {
 
 constexpr Index kLeafSize = 4;
 constexpr int kBins = 16;
-constexpr int kBalancedDepth = 64; ///< from here on split at the median, so that the depth stays below 100
+constexpr int kBalancedDepth =
+    64; ///< from here on split at the median, so that the depth stays below 100
 
 double halfArea(const Bounds& b) {
   const Vector3 s = b.size();
@@ -27,7 +28,9 @@ struct Binning {
   Vector3 low;
   Vector3 per_length; ///< bins per unit length, 0 on an axis without extent
 
-  explicit Binning(const Bounds& centres) : low(centres.low), per_length(Vector3::Zero()) {
+  explicit Binning(const Bounds& centres)
+      : low(centres.low)
+      , per_length(Vector3::Zero()) {
     for (int axis = 0; axis < 3; ++axis) {
       const double size = centres.high[axis] - centres.low[axis];
       const double scale = kBins / size;
@@ -36,13 +39,17 @@ struct Binning {
     }
   }
   int bin(const Vector3& centre, int axis) const {
-    return std::clamp(static_cast<int>((centre[axis] - low[axis]) * per_length[axis]), 0, kBins - 1);
+    return std::clamp(static_cast<int>((centre[axis] - low[axis]) * per_length[axis]), 0,
+                      kBins - 1);
   }
 };
 
-Vector3 centreOf(const Bounds& b) { return 0.5 * b.low + 0.5 * b.high; }
+Vector3 centreOf(const Bounds& b) {
+  return 0.5 * b.low + 0.5 * b.high;
+}
 
-void bestSplitOnAxis(const std::array<Bounds, kBins>& boxes, const std::array<Index, kBins>& counts, int axis, Split& best) {
+void bestSplitOnAxis(const std::array<Bounds, kBins>& boxes, const std::array<Index, kBins>& counts,
+                     int axis, Split& best) {
   std::array<double, kBins> right_cost{};
   Bounds box;
   Index count = 0;
@@ -65,7 +72,8 @@ void bestSplitOnAxis(const std::array<Bounds, kBins>& boxes, const std::array<In
   }
 }
 
-Split bestSplit(const std::vector<Bounds>& boxes, const Index* begin, const Index* end, const Binning& binning) {
+Split bestSplit(const std::vector<Bounds>& boxes, const Index* begin, const Index* end,
+                const Binning& binning) {
   Split best;
   for (int axis = 0; axis < 3; ++axis) {
     if (binning.per_length[axis] == 0.0)
@@ -84,7 +92,8 @@ Split bestSplit(const std::vector<Bounds>& boxes, const Index* begin, const Inde
 }
 
 /// Puts [begin, end) in two parts, neither empty. \return the start of the second
-Index* partition(const std::vector<Bounds>& boxes, Index* begin, Index* end, const Bounds& centres, int depth) {
+Index* partition(const std::vector<Bounds>& boxes, Index* begin, Index* end, const Bounds& centres,
+                 int depth) {
   if (depth < kBalancedDepth) {
     const Binning binning(centres);
     const Split split = bestSplit(boxes, begin, end, binning);
@@ -122,7 +131,8 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
   corners_.resize(count);
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t e = 0; e < 3; ++e)
-      corners_[i][e] = mesh.vertices[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(order_[i])][e])];
+      corners_[i][e] = mesh.vertices[static_cast<std::size_t>(
+          mesh.triangles[static_cast<std::size_t>(order_[i])][e])];
   scale_ = std::max(bounds().low.cwiseAbs().maxCoeff(), bounds().high.cwiseAbs().maxCoeff());
 }
 
@@ -144,7 +154,8 @@ void TriangleBvh::build(const std::vector<Bounds>& boxes, Index first, Index las
     return;
   }
   Index* data = order_.data();
-  const auto middle = static_cast<Index>(partition(boxes, data + first, data + last, centres, depth) - data);
+  const auto middle =
+      static_cast<Index>(partition(boxes, data + first, data + last, centres, depth) - data);
   build(boxes, first, middle, depth + 1);
   nodes_[node].right = static_cast<Index>(nodes_.size());
   build(boxes, middle, last, depth + 1);

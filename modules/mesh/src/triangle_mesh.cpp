@@ -9,7 +9,8 @@ namespace graben {
 
 namespace {
 
-/// Keeps the entries of \a values whose place in \a target is not -1; \a target never moves an entry up.
+/// Keeps the entries of \a values whose place in \a target is not -1; \a target never moves an
+/// entry up.
 template <typename T>
 void compact(std::vector<T>& values, const std::vector<Index>& target, std::size_t kept) {
   if (values.empty())
@@ -28,7 +29,8 @@ void appendArray(std::vector<T>& values, const std::vector<T>& other, bool targe
     values.insert(values.end(), other.begin(), other.end());
 }
 
-void checkLength(std::size_t length, std::size_t vertices, const std::string& stage, const std::string& name) {
+void checkLength(std::size_t length, std::size_t vertices, const std::string& stage,
+                 const std::string& name) {
   if (length != 0 && length != vertices)
     throw InvalidInputError(stage, "the mesh has " + std::to_string(vertices) + " vertices but " +
                                        std::to_string(length) + " entries of " + name);
@@ -65,7 +67,8 @@ void append(TriangleMesh& mesh, const TriangleMesh& other) {
   }
   constexpr auto limit = static_cast<std::size_t>(std::numeric_limits<Index>::max());
   if (other.vertices.size() > limit - mesh.vertices.size())
-    throw InvalidInputError("joining meshes", "the joined mesh has more vertices than 32-bit indices reach");
+    throw InvalidInputError("joining meshes",
+                            "the joined mesh has more vertices than 32-bit indices reach");
   const auto offset = static_cast<Index>(mesh.vertices.size());
   const bool target_empty = mesh.vertices.empty();
   if (target_empty)
@@ -105,12 +108,14 @@ void validate(const TriangleMesh& mesh, const std::string& stage) {
     throw InvalidInputError(stage, "the mesh is larger than 32-bit indices reach");
   for (std::size_t i = 0; i < count; ++i)
     if (!mesh.vertices[i].allFinite())
-      throw InvalidInputError(stage, "vertex " + std::to_string(i) + " of the mesh has a coordinate that is not finite");
+      throw InvalidInputError(stage, "vertex " + std::to_string(i) +
+                                         " of the mesh has a coordinate that is not finite");
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const Index v : mesh.triangles[t])
       if (v < 0 || static_cast<std::size_t>(v) >= count)
-        throw InvalidInputError(stage, "triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
-                                           ", but the mesh has " + std::to_string(count) + " vertices");
+        throw InvalidInputError(stage, "triangle " + std::to_string(t) + " names vertex " +
+                                           std::to_string(v) + ", but the mesh has " +
+                                           std::to_string(count) + " vertices");
   checkLength(mesh.normals.size(), count, stage, "normals");
   checkLength(mesh.piece.size(), count, stage, "piece");
   for (const auto& scalar : mesh.scalars)

@@ -17,8 +17,10 @@ TEST(Errors, ReadAsOneLineAndAreCaughtAsPclExceptions) {
       return std::string(static_cast<const std::runtime_error&>(caught).what());
     }
   };
-  EXPECT_NE(text(InvalidInputError("cutting", "no triangles")).find("cutting: no triangles"), std::string::npos);
-  EXPECT_NE(text(ParseError("a.pol", 7, "not a number")).find("a.pol:7: not a number"), std::string::npos);
+  EXPECT_NE(text(InvalidInputError("cutting", "no triangles")).find("cutting: no triangles"),
+            std::string::npos);
+  EXPECT_NE(text(ParseError("a.pol", 7, "not a number")).find("a.pol:7: not a number"),
+            std::string::npos);
   EXPECT_NE(text(ParseError("a.ply", 0, "too short")).find("a.ply: too short"), std::string::npos);
   EXPECT_NE(text(IoError("b.ply", "cannot write")).find("b.ply: cannot write"), std::string::npos);
 }

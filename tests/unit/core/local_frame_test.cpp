@@ -13,7 +13,8 @@ namespace {
 const double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(LocalFrame, OriginIsTheCentreInWholeUnits) {
-  const LocalFrame frame = LocalFrame::around({{460000.4, 5930000, 1600}, {kNan, 0, 0}, {470000.9, 5940001, 1700}});
+  const LocalFrame frame =
+      LocalFrame::around({{460000.4, 5930000, 1600}, {kNan, 0, 0}, {470000.9, 5940001, 1700}});
   EXPECT_EQ(frame.origin, Vector3(465001, 5935001, 1650));
 }
 
@@ -27,7 +28,8 @@ TEST(LocalFrame, ThereAndBackToTheMillimetreAndBetter) {
 }
 
 TEST(LocalFrame, DepthGrowsDownwardAndMirrors) {
-  const LocalFrame frame = LocalFrame::around({{0, 0, 1000}, {100, 100, 1100}}, ZPositive::Down, 2.0);
+  const LocalFrame frame =
+      LocalFrame::around({{0, 0, 1000}, {100, 100, 1100}}, ZPositive::Down, 2.0);
   EXPECT_EQ(frame.toLocal({50, 50, 1060}), Vector3(0, 0, -20));
   EXPECT_TRUE(frame.mirrors());
   EXPECT_FALSE(LocalFrame::around({{0, 0, 0}}, ZPositive::Unknown).mirrors());

@@ -10,7 +10,8 @@ namespace {
 
 TEST(Threads, EveryIndexIsVisitedOnceForAnyThreadCount) {
   for (const unsigned threads : {0U, 1U, 3U, 8U})
-    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{7}, std::size_t{1000}}) {
+    for (const std::size_t count :
+         {std::size_t{0}, std::size_t{1}, std::size_t{7}, std::size_t{1000}}) {
       std::vector<int> visits(count, 0);
       parallelFor(count, 7, threads, [&visits](std::size_t i) { ++visits[i]; });
       EXPECT_EQ(visits, std::vector<int>(count, 1));

@@ -86,13 +86,15 @@ TEST(BorderLoops, AHoleIsALoopOfItsOwn) {
 
 TEST(BorderLoops, LoopsThatTouchAtABowTieVertexStayApart) {
   const TriangleMesh mesh = meshOf(5, {{0, 1, 2}, {0, 3, 4}});
-  EXPECT_THAT(borderLoops(mesh, EdgeAdjacency(mesh)), ElementsAre(ElementsAre(0, 1, 2), ElementsAre(0, 3, 4)));
+  EXPECT_THAT(borderLoops(mesh, EdgeAdjacency(mesh)),
+              ElementsAre(ElementsAre(0, 1, 2), ElementsAre(0, 3, 4)));
 }
 
 TEST(BorderLoops, CloseAlongNonManifoldEdges) {
   const TriangleMesh mesh = meshOf(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   EXPECT_THAT(borderLoops(mesh, EdgeAdjacency(mesh)),
-              UnorderedElementsAre(UnorderedElementsAre(0, 1, 2), UnorderedElementsAre(0, 1, 3), UnorderedElementsAre(0, 1, 4)));
+              UnorderedElementsAre(UnorderedElementsAre(0, 1, 2), UnorderedElementsAre(0, 1, 3),
+                                   UnorderedElementsAre(0, 1, 4)));
 }
 
 TEST(EdgeAdjacency, AMillionTrianglesTakeLessThanASecond) {

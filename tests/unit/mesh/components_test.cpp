@@ -45,7 +45,8 @@ TEST(Components, ALongChainDoesNotTakeForever) {
     mesh.vertices.emplace_back(v, v % 2, 0.0);
   for (Index v = n - 3; v >= 0; --v)
     mesh.triangles.push_back({v, v + 1, v + 2});
-  EXPECT_THAT(connectedComponents(mesh).triangle_count, ElementsAre(static_cast<std::size_t>(n - 2)));
+  EXPECT_THAT(connectedComponents(mesh).triangle_count,
+              ElementsAre(static_cast<std::size_t>(n - 2)));
 }
 
 TEST(Components, LabelPiecesNeedsAllVerticesUsed) {

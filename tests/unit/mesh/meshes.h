@@ -17,7 +17,8 @@ inline Vector3 randomPoint(std::mt19937_64& generator, double low, double high) 
   return {x, y, uniform(generator, low, high)};
 }
 
-/// n x n square cells of edge \a cell in the plane z = 0 from (offset, offset), two triangles each, normals up.
+/// n x n square cells of edge \a cell in the plane z = 0 from (offset, offset), two triangles each,
+/// normals up.
 inline TriangleMesh gridMesh(Index n, double cell = 1.0, double offset = 0.0) {
   TriangleMesh mesh;
   for (Index j = 0; j <= n; ++j)

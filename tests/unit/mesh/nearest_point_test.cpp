@@ -18,7 +18,8 @@ void expectNearest(const Vector3& p, const Vector3& point, const Vector3& baryce
   const TrianglePoint found = nearestPointOnTriangle(p, kA, kB, kC);
   EXPECT_LT((found.point - point).norm(), 1e-12) << p.transpose();
   EXPECT_LT((found.barycentric - barycentric).norm(), 1e-12) << p.transpose();
-  EXPECT_EQ((found.barycentric.array() == 0.0).count(), (barycentric.array() == 0.0).count()) << p.transpose();
+  EXPECT_EQ((found.barycentric.array() == 0.0).count(), (barycentric.array() == 0.0).count())
+      << p.transpose();
 }
 
 TEST(NearestPoint, InsideOnEdgesAndOnCorners) {
@@ -35,12 +36,16 @@ TEST(NearestPoint, OfDegenerateTriangles) {
   const auto distance = [](const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c) {
     const TrianglePoint found = nearestPointOnTriangle(p, a, b, c);
     EXPECT_NEAR(found.barycentric.sum(), 1.0, 1e-15);
-    EXPECT_LT((found.barycentric[0] * a + found.barycentric[1] * b + found.barycentric[2] * c - found.point).norm(), 1e-12);
+    EXPECT_LT((found.barycentric[0] * a + found.barycentric[1] * b + found.barycentric[2] * c -
+               found.point)
+                  .norm(),
+              1e-12);
     return (found.point - p).norm();
   };
   EXPECT_DOUBLE_EQ(distance({3, 4, 0}, kA, kA, kA), 5.0);
   EXPECT_DOUBLE_EQ(distance({2, 3, 0}, kA, kB, kB), 3.0);
-  EXPECT_DOUBLE_EQ(distance({6, 2, 0}, kA, kB, {8, 0, 0}), 2.0);      // on one line, the middle corner second
+  EXPECT_DOUBLE_EQ(distance({6, 2, 0}, kA, kB, {8, 0, 0}),
+                   2.0); // on one line, the middle corner second
   EXPECT_DOUBLE_EQ(distance({6, 2, 0}, kA, {8, 0, 0}, {8, 0, 1e-300}), 2.0);
 }
 
@@ -49,8 +54,9 @@ TEST(NearestPoint, NoPointOfTheTriangleIsNearer) {
   for (int i = 0; i < 2000; ++i) {
     const Vector3 a = test::randomPoint(generator, -1, 1);
     const Vector3 b = test::randomPoint(generator, -1, 1);
-    const Vector3 c = i % 3 == 0 ? Vector3(a + (b - a) * 0.3 + 1e-7 * test::randomPoint(generator, -1, 1))
-                                 : test::randomPoint(generator, -1, 1);
+    const Vector3 c = i % 3 == 0
+                          ? Vector3(a + (b - a) * 0.3 + 1e-7 * test::randomPoint(generator, -1, 1))
+                          : test::randomPoint(generator, -1, 1);
     const Vector3 p = test::randomPoint(generator, -2, 2);
     const TrianglePoint found = nearestPointOnTriangle(p, a, b, c);
     EXPECT_GE(found.barycentric.minCoeff(), 0.0);

@@ -16,10 +16,13 @@ struct TiltedGrid {
   Vector3 shift;
   TriangleMesh mesh;
 
-  explicit TiltedGrid(double offset) : shift(offset, -0.7 * offset, 0.3 * offset), mesh(test::gridMesh(8, 12.5)) {
+  explicit TiltedGrid(double offset)
+      : shift(offset, -0.7 * offset, 0.3 * offset)
+      , mesh(test::gridMesh(8, 12.5)) {
     rotation = Eigen::AngleAxisd(0.83, Vector3(1, 2, 3).normalized()).toRotationMatrix();
     for (Vector3& v : mesh.vertices) {
-      v.z() = 3.0 * std::sin(0.1 * v.x()) + 2.0 * std::cos(0.13 * v.y()); // folded, so that edges are real
+      v.z() = 3.0 * std::sin(0.1 * v.x()) +
+              2.0 * std::cos(0.13 * v.y()); // folded, so that edges are real
       v = rotation * v + shift;
     }
   }
@@ -56,7 +59,9 @@ TEST_P(SegmentEdgeCases, ThatEndOnTheMeshHitIt) {
     const Triangle& triangle = grid.mesh.triangles[generator() % grid.mesh.triangles.size()];
     const double u = test::uniform(generator, 0, 1);
     const double v = test::uniform(generator, 0, 1 - u);
-    const auto corner = [&](std::size_t e) { return grid.mesh.vertices[static_cast<std::size_t>(triangle[e])]; };
+    const auto corner = [&](std::size_t e) {
+      return grid.mesh.vertices[static_cast<std::size_t>(triangle[e])];
+    };
     const Vector3 on_mesh = corner(0) + u * (corner(1) - corner(0)) + v * (corner(2) - corner(0));
     const Vector3 away = on_mesh + (i % 2 == 0 ? 15.0 : -15.0) * grid.up();
     ASSERT_TRUE(bvh.hits(away, on_mesh));
@@ -122,7 +127,8 @@ TEST(SegmentEdgeCases, InThePlaneOrBesideTheMeshIsNoHit) {
   EXPECT_FALSE(bvh.hits({1, 1, 0}, {1, 1, 0}));
   TriangleMesh corner = test::gridMesh(1);
   corner.triangles.pop_back();
-  EXPECT_FALSE(TriangleBvh(corner).hits({0.2, 0.8, 0}, {0.2, 0.8, 1})); // starts in the plane, in the box, outside
+  EXPECT_FALSE(TriangleBvh(corner).hits({0.2, 0.8, 0},
+                                        {0.2, 0.8, 1})); // starts in the plane, in the box, outside
   EXPECT_FALSE(TriangleBvh(corner).hits({0.2, 0.8, 1}, {0.2, 0.8, 0}));
   EXPECT_TRUE(bvh.hits({0, 2, -1}, {0, 2, 1})); // on the border
 }

@@ -28,7 +28,8 @@ std::vector<TriangleBvh> singles(const TriangleMesh& mesh) {
 
 class BvhAgainstBruteForce : public testing::TestWithParam<int> {
 protected:
-  BvhAgainstBruteForce() : generator_(static_cast<std::uint64_t>(GetParam())) {
+  BvhAgainstBruteForce()
+      : generator_(static_cast<std::uint64_t>(GetParam())) {
     const double cube = GetParam() % 2 == 0 ? 1.0 : 1e4;
     mesh_ = test::soup(generator_, 30 * GetParam() + 1, cube, cube * 0.2);
     cube_ = cube;
@@ -46,7 +47,8 @@ TEST_P(BvhAgainstBruteForce, Nearest) {
     Index best = -1;
     double best2 = std::numeric_limits<double>::infinity();
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const TrianglePoint at = nearestPointOnTriangle(p, mesh_.vertices[3 * t], mesh_.vertices[3 * t + 1], mesh_.vertices[3 * t + 2]);
+      const TrianglePoint at = nearestPointOnTriangle(
+          p, mesh_.vertices[3 * t], mesh_.vertices[3 * t + 1], mesh_.vertices[3 * t + 2]);
       const double d2 = (at.point - p).squaredNorm();
       if (d2 < best2 && std::sqrt(d2) <= reach) {
         best2 = d2;
@@ -72,13 +74,15 @@ TEST_P(BvhAgainstBruteForce, Segments) {
     for (std::size_t t = 0; t < each.size(); ++t)
       if (const auto hit = each[t].firstHit(a, b))
         expected.push_back({static_cast<Index>(t), hit->parameter, hit->point});
-    std::stable_sort(expected.begin(), expected.end(),
-                     [](const SegmentHit& p, const SegmentHit& q) { return p.parameter < q.parameter; });
+    std::stable_sort(
+        expected.begin(), expected.end(),
+        [](const SegmentHit& p, const SegmentHit& q) { return p.parameter < q.parameter; });
     const std::vector<SegmentHit> all = bvh.allHits(a, b);
     ASSERT_EQ(all.size(), expected.size());
     for (std::size_t h = 0; h < all.size(); ++h) {
       ASSERT_EQ(all[h].triangle, expected[h].triangle);
-      ASSERT_NEAR(all[h].parameter, expected[h].parameter, 1e-9); // the tolerance depends on the mesh's size
+      ASSERT_NEAR(all[h].parameter, expected[h].parameter,
+                  1e-9); // the tolerance depends on the mesh's size
     }
     ASSERT_EQ(bvh.hits(a, b), !expected.empty());
     const auto first = bvh.firstHit(a, b);
@@ -105,7 +109,8 @@ TEST_P(BvhAgainstBruteForce, Boxes) {
     std::sort(found.begin(), found.end());
     std::vector<Index> expected;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (boundsOf({mesh_.vertices[3 * t], mesh_.vertices[3 * t + 1], mesh_.vertices[3 * t + 2]}).overlaps(box))
+      if (boundsOf({mesh_.vertices[3 * t], mesh_.vertices[3 * t + 1], mesh_.vertices[3 * t + 2]})
+              .overlaps(box))
         expected.push_back(static_cast<Index>(t));
     ASSERT_EQ(found, expected);
     ASSERT_EQ(bvh.mayTouch(box), !expected.empty());
@@ -164,7 +169,8 @@ TEST(TriangleBvh, ManyTrianglesInOnePlaceAreNoTrouble) {
 TEST(TriangleBvh, AGeometricSeriesStaysShallow) {
   TriangleMesh mesh;
   double x = 1e-150;
-  for (Index i = 0; i < 1900; ++i, x *= 1.4) { // to 1e127; halving by space alone would be hundreds deep
+  for (Index i = 0; i < 1900;
+       ++i, x *= 1.4) { // to 1e127; halving by space alone would be hundreds deep
     const Index v = 3 * i;
     mesh.vertices.emplace_back(x, 0, 0);
     mesh.vertices.emplace_back(1.1 * x, 0, 0);

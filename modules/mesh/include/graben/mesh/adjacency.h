@@ -6,8 +6,9 @@
 
 namespace graben {
 
-/// Which triangles meet at each edge. Edge e of triangle t runs from vertex e to vertex (e + 1) % 3 and has the index 3 t + e.
-/// Triangles that name a vertex twice take no part; their half-edges are kNonManifold. The mesh's indices must be valid.
+/// Which triangles meet at each edge. Edge e of triangle t runs from vertex e to vertex (e + 1) % 3
+/// and has the index 3 t + e. Triangles that name a vertex twice take no part; their half-edges are
+/// kNonManifold. The mesh's indices must be valid.
 class EdgeAdjacency {
 public:
   static constexpr Index kBorder = -1;      ///< only one triangle has this edge
@@ -24,9 +25,11 @@ private:
   std::vector<Index> twin_;
 };
 
-/// Closed loops of border half-edges as vertex lists, each in the direction of its triangles; O(n), deterministic.
-/// At a vertex where several loops touch, each loop keeps to its own fan of triangles; where a border runs into a non-manifold
-/// edge, the loop follows that edge on the side of its own triangles.
-std::vector<std::vector<Index>> borderLoops(const TriangleMesh& mesh, const EdgeAdjacency& adjacency);
+/// Closed loops of border half-edges as vertex lists, each in the direction of its triangles; O(n),
+/// deterministic. At a vertex where several loops touch, each loop keeps to its own fan of
+/// triangles; where a border runs into a non-manifold edge, the loop follows that edge on the side
+/// of its own triangles.
+std::vector<std::vector<Index>> borderLoops(const TriangleMesh& mesh,
+                                            const EdgeAdjacency& adjacency);
 
 } // namespace graben

@@ -4,7 +4,8 @@
 
 namespace graben {
 
-/// Connected components of a mesh, joined over shared vertices; numbered by falling triangle count, then by first triangle.
+/// Connected components of a mesh, joined over shared vertices; numbered by falling triangle count,
+/// then by first triangle.
 struct Components {
   std::vector<Index> of_vertex;            ///< component of each vertex, -1 if no triangle uses it
   std::vector<Index> of_triangle;          ///< component of each triangle
