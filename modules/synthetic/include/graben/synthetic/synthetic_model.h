@@ -27,7 +27,9 @@ struct CutoffLine {
   Index fault = 0;
   int side = 0; ///< -1: cutoff of the footwall, +1: of the hanging wall
   Index block = 0;
-  Points points; ///< on the fault and on the sheet to 1e-6 m; the ends are at the area's edge, the tip or another cutoff line
+  /// On the fault and on the sheet to 1e-6 m (at the tip, where the sheet is infinitely steep, to what rounding x, y allows).
+  /// The ends are at the area's edge, the tip or another cutoff line.
+  Points points;
 };
 
 /// A faulted horizon known exactly. All points, normals and meshes are in the user's frame of the options.
