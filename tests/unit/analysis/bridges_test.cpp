@@ -86,6 +86,19 @@ TEST(Bridges, BordersBeyondTheFaultCount) {
   EXPECT_EQ(bridgingTriangles(mesh, test::network(test::wall(5, -1, 11)), kTolerance).size(), 20U);
 }
 
+TEST(Bridges, AnEdgeThatRunsThroughAFoldAndBackJoinsNothing) {
+  TriangleMesh roof; // a fault folded along x = 5, z = 1; both limbs reach below the horizon
+  roof.vertices = {{3, -1, -1}, {3, 11, -1}, {5, 11, 1}, {5, -1, 1}, {7, 11, -1}, {7, -1, -1}};
+  roof.triangles = {{0, 3, 2}, {0, 2, 1}, {3, 5, 4}, {3, 4, 2}};
+  const FaultNetwork fault = test::network(FaultSurface::fromMesh("fold", roof));
+  TriangleMesh mesh;
+  mesh.vertices = {{2, 3, 0.5}, {8, 3, 0.5}, {5, 6, 2}};
+  mesh.triangles = {{0, 1, 2}};
+  EXPECT_TRUE(bridgingTriangles(mesh, fault, kTolerance).empty());
+  mesh.vertices[1].x() = 5; // under the roof
+  EXPECT_EQ(bridgingTriangles(mesh, fault, kTolerance).size(), 1U);
+}
+
 TEST(Bridges, ADippingFaultWithAReverseOverlap) {
   // The fault dips 45 degrees to the right through x = 5 at z = 0; the left sheet lies 2 lower and
   // the right one reaches over it.

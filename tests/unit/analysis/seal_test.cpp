@@ -45,6 +45,9 @@ TEST(Seal, IsToldFaultByFault) {
   EXPECT_EQ(report.faults[1].on_fault, 0U);
   EXPECT_NEAR(report.faults[1].p50, 0.25, 1e-12);
   EXPECT_EQ(report.faults[2].vertices, 0U);
+  const SealReport at_limit =
+      checkSeal(test::gridMesh(10), test::network(test::wall(10.25, -1, 11)), options(0.5, 0.25));
+  EXPECT_EQ(at_limit.all.share, 1.0); // the tolerance itself is on the fault
   EXPECT_EQ(report.all.vertices, 22U);
   EXPECT_DOUBLE_EQ(report.all.share, 0.5);
 }
