@@ -1,5 +1,7 @@
 #include "graben/faults/fault_network.h"
 
+#include "branches.h"
+
 #include "graben/core/errors.h"
 #include "graben/mesh/normals.h"
 
@@ -27,6 +29,8 @@ FaultNetwork::FaultNetwork(std::vector<FaultSurface> faults, double branch_reach
     throw InvalidInputError("building the fault network", "The branch reach must be zero or positive.");
   for (const FaultSurface& fault : faults_)
     check(fault);
+  if (branch_reach > 0.0)
+    branches_ = detail::joinBranches(faults_, branch_reach);
   bvhs_.reserve(faults_.size());
   for (const FaultSurface& fault : faults_) {
     bvhs_.emplace_back(fault.mesh);

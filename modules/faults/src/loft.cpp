@@ -134,7 +134,9 @@ FaultSurface FaultSurface::loft(std::string name, const std::vector<FaultStick>&
     left = std::move(right);
     first_left = first_right;
   }
-  return fromMesh(std::move(name), mesh);
+  FaultSurface fault = fromMesh(std::move(name), mesh);
+  fault.tip_lines = {turned.front().points, turned.back().points};
+  return fault;
 }
 
 } // namespace graben

@@ -30,7 +30,7 @@ struct FaultPoint {
   bool at_border = false;  ///< nearest point lies on the fault's border: the query is beside the fault, sides mean little
 };
 
-/// What happened to a fault while the network was built, to tell the user.
+/// One place where a fault was joined to another while the network was built, to tell the user.
 struct FaultBranch {
   Index fault = -1;       ///< the fault that ends at another
   Index main_fault = -1;  ///< the one it ends at
@@ -46,9 +46,12 @@ public:
   FaultNetwork() = default;
 
   /// \param[in] faults fault surfaces in the local frame
-  /// \param[in] branch_reach a fault whose border stops within this distance of another fault, along its own plane, is extended
-  ///            to it (and just through it, by branch_reach / 100, so that no gap is left; what then lies on the far side of the main fault counts
-  ///            as no fault); in the faults' units; 0: no extension
+  /// \param[in] branch_reach a fault whose border stops within this distance of another fault, along its own plane, is a branch of it:
+  ///            it is extended to the other and through it by branch_reach / 100, so that no gap is left. A quarter of a lateral
+  ///            border (half of an upper or lower one) within the reach is enough; the rest of it is then joined from up to
+  ///            three times as far. A branch that goes on behind the other, by no more than the reach, is cut off there; one that goes
+  ///            on farther crosses it and is left alone. In the faults' units; 0: faults stay as they are.
+  ///            fault(i) is the fault so changed; all joints are made against the faults as given
   /// \throw InvalidInputError if a fault has no triangles or coordinates that are not finite
   explicit FaultNetwork(std::vector<FaultSurface> faults, double branch_reach = 0.0);
 

@@ -16,6 +16,9 @@ struct FaultStick {
 struct FaultSurface {
   std::string name;
   TriangleMesh mesh;
+  /// Where the fault is known to end along strike: the first and the last stick of a lofted fault. Border vertices on these lines
+  /// count as lateral tips however obliquely the sticks run; without them that is told from the border's geometry.
+  std::vector<Points> tip_lines = {};
 
   /// A fault from a triangle mesh of any quality: duplicate vertices are joined, degenerate and duplicate triangles
   /// dropped, each connected part oriented consistently where it can be (normals up on the whole: towards the hanging wall).

@@ -26,6 +26,9 @@ public:
   /// The normal at a point found by TriangleBvh::nearest on the same mesh.
   Normal at(const MeshPoint& point) const;
 
+  /// The unit normal of a triangle; zero if it is degenerate.
+  const Vector3& ofTriangle(Index triangle) const { return faces_[static_cast<std::size_t>(triangle)]; }
+
 private:
   std::vector<Triangle> triangles_;
   Points faces_;                           // unit normals

@@ -1,0 +1,101 @@
+#include "graben/faults/extension.h"
+
+#include "border.h"
+#include "strip.h"
+
+#include "graben/core/errors.h"
+#include "graben/mesh/normals.h"
+
+#include <cmath>
+#include <limits>
+
+namespace graben {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Extends one run with directions smoothed over \a sigma.
+/// \return the number of triangles that had to be left out
+std::size_t extendRun(TriangleMesh& mesh, const detail::BorderRun& run, const Points& edge_directions, double distance,
+                      double sigma) {
+  const Points directions = detail::directionsAlong(mesh, run, edge_directions, sigma);
+  std::vector<Index> inner = detail::verticesOf(mesh, run);
+  std::vector<Index> outer;
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    outer.push_back(static_cast<Index>(mesh.vertices.size()));
+    mesh.vertices.push_back(mesh.vertices[static_cast<std::size_t>(inner[i])] + distance * directions[i]);
+  }
+  if (run.closed) {
+    inner.push_back(inner.front());
+    outer.push_back(outer.front());
+  }
+  Points normals;
+  for (const Index h : run.half_edges)
+    normals.push_back(areaNormal(mesh, mesh.triangles[static_cast<std::size_t>(h / 3)]));
+  return detail::addStrip(mesh, inner, outer, normals);
+}
+
+/// Extends one run, with directions as little smoothed as gives the fewest folds.
+void extendRun(TriangleMesh& mesh, const detail::BorderRun& run, const Points& edge_directions, double distance) {
+  const std::size_t vertices = mesh.vertices.size();
+  const std::size_t triangles = mesh.triangles.size();
+  double best_sigma = 0.0;
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  for (const double factor : {0.5, 1.0, 2.0, 4.0, 8.0, kInfinity}) {
+    const std::size_t left_out = extendRun(mesh, run, edge_directions, distance, factor * distance);
+    if (left_out == 0)
+      return;
+    mesh.vertices.resize(vertices);
+    mesh.triangles.resize(triangles);
+    if (left_out < fewest) {
+      fewest = left_out;
+      best_sigma = factor * distance;
+    }
+  }
+  extendRun(mesh, run, edge_directions, distance, best_sigma);
+}
+
+/// Tip lines that end at a corner go on with it.
+void extendTipLines(std::vector<Points>& tip_lines, const Vector3& corner, const Vector3& extended) {
+  for (Points& line : tip_lines)
+    if (line.front() == corner)
+      line.insert(line.begin(), extended);
+    else if (line.back() == corner)
+      line.push_back(extended);
+}
+
+} // namespace
+
+FaultSurface extendedAlongDip(const FaultSurface& fault, double distance) {
+  const std::string stage = "extending fault " + fault.name;
+  if (!std::isfinite(distance) || distance < 0.0)
+    throw InvalidInputError(stage, "The distance must be zero or positive.");
+  validate(fault.mesh, stage);
+  FaultSurface result{fault.name, {}, fault.tip_lines};
+  result.mesh.vertices = fault.mesh.vertices;
+  result.mesh.triangles = fault.mesh.triangles;
+  if (distance == 0.0)
+    return result;
+  const detail::DipFrames frames(fault.mesh);
+  for (const detail::BorderRun& run : detail::outerBorderRuns(fault)) {
+    if (run.lateral())
+      continue;
+    Points up_or_down;
+    for (const Index h : run.half_edges) {
+      const Vector3 up = frames.at(h / 3).up;
+      up_or_down.push_back(run.kind == detail::BorderKind::Top ? up : Vector3(-up));
+    }
+    const std::size_t first = result.mesh.vertices.size();
+    extendRun(result.mesh, run, up_or_down, distance);
+    if (run.closed)
+      continue;
+    const std::vector<Index> inner = detail::verticesOf(fault.mesh, run);
+    for (const std::size_t i : {std::size_t{0}, inner.size() - 1})
+      extendTipLines(result.tip_lines, fault.mesh.vertices[static_cast<std::size_t>(inner[i])],
+                     result.mesh.vertices[first + i]);
+  }
+  removeUnreferencedVertices(result.mesh);
+  return result;
+}
+
+} // namespace graben
