@@ -1,0 +1,194 @@
+#include "graben/io/fault_reader.h"
+#include "graben/io/mesh_reader.h"
+#include "graben/io/pick_reader.h"
+#include "graben/mesh/components.h"
+#include "graben/synthetic/synthetic_model.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace graben {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+struct Outcome {
+  int code = -1;
+  std::string output; ///< both streams
+};
+
+class Synthesize : public testing::Test {
+protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() / ("graben_synthesize_" + std::string(test->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// Runs the tool in the test's own, at first empty, folder.
+  Outcome run(const std::string& arguments) const {
+    const std::string command =
+        "cd '" + folder_.string() + "' && '" GRABEN_BIN_DIR "/graben_synthesize' " + arguments + " 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    Outcome outcome;
+    std::array<char, 4096> buffer{};
+    for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+      outcome.output.append(buffer.data(), n);
+    const int status = pclose(pipe);
+    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
+  }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::string content(const std::string& name) const {
+    std::ifstream in(path(name), std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Synthesize, WrongUseExitsWithTwoAndWritesNothing) {
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"", "--output DIR is missing"},
+      {"--output d --pick 10", "unknown option --pick; did you mean --picks?"},
+      {"--output d --picks many", "option --picks: 'many' is not a number"},
+      {"--output d --picks 1.5", "--picks"},
+      {"--output d --kind square", "option --kind: 'square' is not one of unfaulted, normal"},
+      {"--output d --origin 1,2", "--origin"},
+      {"--output d --hole 1,2", "--hole"},
+      {"--output d --overhang 1,2,3", "--overhang"},
+      {"--output", "--output needs a value"},
+      {"stray", "'stray'"},
+  };
+  for (const auto& [arguments, message] : cases) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_THAT(outcome.output, HasSubstr("graben_synthesize: error: "));
+    EXPECT_THAT(outcome.output, HasSubstr(message));
+  }
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(Synthesize, ImpossibleRequestsExitWithOne) {
+  std::ofstream(path("taken")) << "a file";
+  EXPECT_EQ(run("--output d --dip 5").code, 1);
+  EXPECT_THAT(run("--output d --hole 0,0,9000").output, HasSubstr("no room for picks"));
+  EXPECT_EQ(run("--output d --hole 0,0,9000").code, 1);
+  const Outcome outcome = run("--output taken");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("taken"));
+  EXPECT_EQ(content("taken"), "a file");
+}
+
+TEST_F(Synthesize, HelpAndVersion) {
+  const Outcome help = run("--help");
+  EXPECT_EQ(help.code, 0);
+  for (const std::string& name : syntheticKindNames())
+    EXPECT_THAT(help.output, HasSubstr(name));
+  EXPECT_EQ(run("--version").code, 0);
+}
+
+TEST_F(Synthesize, FilesReadBackAsTheModelSays) {
+  const Outcome outcome =
+      run("--output d/e --kind branch --picks 3000 --origin 461000,5931000,1700 --z-positive down --noise 0");
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  SyntheticOptions o = SyntheticOptions::of(SyntheticKind::Branch);
+  o.picks = 3000;
+  o.noise = 0.0;
+  o.frame.origin = {461000.0, 5931000.0, 1700.0};
+  o.frame.z_positive = ZPositive::Down;
+  const SyntheticModel model(o);
+  const PickSet picks = readPicks(path("d/e/horizon.xyz"));
+  ASSERT_EQ(picks.points.size(), 3000u);
+  for (std::size_t i = 0; i < picks.points.size(); ++i)
+    EXPECT_LT((picks.points[i] - model.pick(i).position).norm(), 0.001);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string name = "d/e/fault_" + std::to_string(i + 1);
+    const std::vector<FaultInput> surface = readFaults(path(name + ".ts"));
+    ASSERT_EQ(surface.size(), 1u);
+    EXPECT_EQ(surface[0].z_positive, ZPositive::Down);
+    EXPECT_EQ(std::get<TriangleMesh>(surface[0].geometry).triangles.size(), model.faultMesh(i).triangles.size());
+    const std::vector<FaultInput> sticks = readFaults(path(name + ".pol"));
+    ASSERT_EQ(sticks.size(), 1u);
+    EXPECT_EQ(std::get<std::vector<FaultStick>>(sticks[0].geometry).size(), model.faultSticks(i).size());
+    for (const std::string wall : {"footwall", "hangingwall"})
+      EXPECT_TRUE(fs::exists(path("d/e/cutoff_fault_" + std::to_string(i + 1) + "_" + wall + ".pol")));
+  }
+  const std::string readme = content("d/e/README.txt");
+  EXPECT_THAT(readme, HasSubstr("graben_reconstruct --horizon horizon.xyz --fault fault_1.ts fault_2.ts --z-positive down"));
+  for (const auto& entry : fs::directory_iterator(path("d/e")))
+    if (entry.path().filename() != "synthetic.json") {
+      EXPECT_THAT(content("d/e/synthetic.json"), HasSubstr('"' + entry.path().filename().string() + '"'));
+    }
+}
+
+TEST_F(Synthesize, TruthReadsBackWithOnePiecePerBlock) {
+  ASSERT_EQ(run("--output d --kind cross --picks 1000 --quiet").output, "");
+  const TriangleMesh truth = readMesh(path("d/truth.ply"));
+  EXPECT_EQ(connectedComponents(truth).triangle_count.size(), 4u);
+  EXPECT_EQ(truth.normals.size(), truth.vertices.size());
+  std::size_t triangles = 0;
+  for (int block = 1; block <= 4; ++block)
+    triangles += readMesh(path("d/truth_block_" + std::to_string(block) + ".ts")).triangles.size();
+  EXPECT_EQ(triangles, truth.triangles.size());
+}
+
+TEST_F(Synthesize, EveryFormatHoldsTheSamePicks) {
+  const SyntheticPicks expected = [] {
+    SyntheticOptions o = SyntheticOptions::of(SyntheticKind::Tip);
+    o.picks = 500;
+    o.frame.origin = {500000.0, 6000000.0, 0.0};
+    return SyntheticModel(o).picks();
+  }();
+  for (const std::string format : {"xyz", "poi", "pcd", "ply"}) {
+    ASSERT_EQ(run("--output d --kind tip --picks 500 --origin 500000,6000000,0 --no-truth --format " + format).code, 0);
+    const PickSet picks = readPicks(path("d/horizon." + format));
+    ASSERT_EQ(picks.points.size(), 500u) << format;
+    const double tolerance = format == "pcd" || format == "ply" ? 0.0 : 0.00087;
+    for (std::size_t i = 0; i < 500; ++i)
+      EXPECT_LE((picks.points[i] - expected.points[i]).norm(), tolerance) << format;
+    EXPECT_FALSE(fs::exists(path("d/truth.ply")));
+  }
+  EXPECT_FALSE(fs::exists(path("d/horizon.xyz"))); // of the run before
+}
+
+TEST_F(Synthesize, ASecondRunLeavesNoFaultsOfTheFirstAndNothingElseIsTouched) {
+  ASSERT_EQ(run("--output d --kind cross --picks 1000").code, 0);
+  std::ofstream(path("d/mine.txt")) << "mine";
+  ASSERT_TRUE(fs::exists(path("d/fault_2.ts")));
+  ASSERT_EQ(run("--output d --kind normal --picks 1000").code, 0);
+  EXPECT_TRUE(fs::exists(path("d/fault_1.ts")));
+  EXPECT_FALSE(fs::exists(path("d/fault_2.ts")));
+  EXPECT_FALSE(fs::exists(path("d/truth_block_3.ts")));
+  EXPECT_EQ(content("d/mine.txt"), "mine");
+}
+
+TEST_F(Synthesize, SameBytesForEveryNumberOfThreadsAndFromAConfigurationFile) {
+  std::ofstream(path("run.cfg")) << "kind = conjugate\npicks = 40000\nseed = 7\nhole = 0,0,300 900,900,200\n";
+  ASSERT_EQ(run("--output a --config run.cfg --threads 1").code, 0);
+  ASSERT_EQ(run("--output b --config run.cfg --threads 4").code, 0);
+  ASSERT_EQ(run("--output c --kind conjugate --picks 40000 --seed 7 --hole 0,0,300 --hole 900,900,200").code, 0);
+  for (const auto& entry : fs::directory_iterator(path("a"))) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_EQ(content("a/" + name), content("b/" + name)) << name;
+    EXPECT_EQ(content("a/" + name), content("c/" + name)) << name;
+  }
+}
+
+} // namespace
+} // namespace graben

@@ -1,0 +1,145 @@
+#include "support/run.h"
+#include "support/synthetic_folder.h"
+
+#include <iostream>
+
+namespace {
+
+using namespace graben;
+
+const std::vector<std::string> kFormats = {"xyz", "poi", "pcd", "ply"};
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names)
+    text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+OptionParser makeParser() {
+  OptionParser parser("graben_synthesize", "Makes an analytic faulted horizon: picks, faults and the exact truth. Lengths are in x, y "
+                                           "units; places are relative to the centre of the area.");
+  parser.section("Output")
+      .value("output", "DIR", "folder for the files (required); made if it is not there")
+      .value("format", "NAME", "of the picks: " + joined(kFormats), "xyz")
+      .value("decimals", "N", "of picks written as text, 0 to 9", "3")
+      .flag("no-truth", "leave out truth meshes and cutoff lines")
+      .value("truth-resolution", "R", "edge length of the truth meshes (default: the spacing)")
+      .flag("quiet", "say nothing");
+  parser.section("Horizon (defaults depend on the kind)")
+      .value("kind", "NAME", joined(syntheticKindNames()), "normal")
+      .value("size", "S", "edge of the square area (6000; benchmark 10000)")
+      .value("relief", "R", "largest height of the unfaulted horizon (150)")
+      .value("origin", "X,Y,Z", "coordinates of the area's centre, for example UTM", "0,0,0")
+      .value("z-positive", "WAY", "up (elevation) or down (depth, time)", "up")
+      .value("z-scale", "V", "x, y units per unit of the written z, for time in ms", "1")
+      .value("z-unit", "NAME", "label of z", "m");
+  parser.section("Picks")
+      .value("picks", "N", "number of picks (60000)")
+      .value("noise", "SIGMA", "standard deviation of the vertical Gaussian noise (2)")
+      .value("uneven", "U", "0: uniform density, 1: it varies tenfold (0; benchmark 0.5)")
+      .list("hole", "X,Y,R", "disc without picks")
+      .list("dense-patch", "X,Y,R,F", "disc with F times the picks")
+      .value("gap", "G", "no picks closer than this to a fault (0)")
+      .value("smear", "D", "move picks this close to a fault across it by up to this much (0)")
+      .value("seed", "N", "of the random numbers", "1");
+  parser.section("Faults")
+      .value("throw", "T", "largest throw; negative: hanging wall up (100; benchmark 120)")
+      .value("throw-variation", "V", "share of the throw lost towards the area's edge (0.3)")
+      .value("dip", "DEG", "20 to 90 (60)")
+      .value("bend", "DEG", "change of dip over 300 m of height (0; listric 8)")
+      .value("waviness", "A", "amplitude of undulation along strike (0; listric 40)")
+      .value("fault-distance", "D", "between the faults of conjugate, parallel and relay")
+      .value("overhang", "A[,B]", "how far faults go above and below the horizon; negative: they stop short (150)")
+      .value("strike-overhang", "D", "how far faults go beyond the area; negative: they stop short (300)")
+      .value("fault-mesh-size", "H", "edge length of the fault meshes (100)")
+      .value("fault-shift", "D", "horizontal error of the faults written (0)")
+      .value("branch-gap", "D", "how far the fault of kind branch stops short of the one it ends at (0)")
+      .value("stick-spacing", "D", "between sticks along strike (250)")
+      .value("stick-points", "N", "points of a stick (5)");
+  parser.section("Running").value("threads", "N", "0: one per processor; the files are the same for every number", "0");
+  parser.epilog("Example: graben_synthesize --output sample --kind tip --origin 461000,5931000,1700 --z-positive down");
+  return parser;
+}
+
+void readFrame(const OptionValues& values, SyntheticOptions& o) {
+  const std::vector<double> origin = values.numbers("origin", 3);
+  o.frame.origin = Vector3(origin[0], origin[1], origin[2]);
+  o.frame.z_positive = values.choice("z-positive", {"up", "down"}) == 1 ? ZPositive::Down : ZPositive::Up;
+  o.frame.z_scale = values.number("z-scale", 1e-9, 1e9);
+  o.z_unit = values.text("z-unit");
+}
+
+void readPlaces(const OptionValues& values, SyntheticOptions& o) {
+  if (values.has("hole"))
+    o.holes.clear();
+  for (const std::vector<double>& hole : values.numberLists("hole", 3))
+    o.holes.push_back({hole[0], hole[1], hole[2]});
+  if (values.has("dense-patch"))
+    o.patches.clear();
+  for (const std::vector<double>& patch : values.numberLists("dense-patch", 4))
+    o.patches.push_back({{patch[0], patch[1], patch[2]}, patch[3]});
+}
+
+SyntheticOptions readOptions(const OptionValues& values) {
+  SyntheticOptions o = SyntheticOptions::of(static_cast<SyntheticKind>(values.choice("kind", syntheticKindNames())));
+  const auto number = [&values](const std::string& name, double& into) {
+    if (values.has(name))
+      into = values.number(name);
+  };
+  number("size", o.size);
+  number("relief", o.relief);
+  number("noise", o.noise);
+  number("uneven", o.uneven);
+  number("gap", o.gap);
+  number("smear", o.smear);
+  number("throw", o.max_throw);
+  number("throw-variation", o.throw_variation);
+  number("dip", o.dip);
+  number("bend", o.bend);
+  number("waviness", o.waviness);
+  number("fault-distance", o.fault_distance);
+  number("strike-overhang", o.strike_overhang);
+  number("fault-mesh-size", o.fault_mesh_size);
+  number("fault-shift", o.fault_shift);
+  number("branch-gap", o.branch_gap);
+  number("stick-spacing", o.stick_spacing);
+  if (values.has("overhang")) {
+    const std::vector<double> overhang = values.numbers("overhang");
+    if (overhang.size() > 2)
+      throw UsageError("option --overhang: give one number or two");
+    o.overhang_above = overhang.front();
+    o.overhang_below = overhang.back();
+  }
+  if (values.has("picks"))
+    o.picks = static_cast<std::size_t>(values.integer("picks", 1, 2000000000));
+  if (values.has("stick-points"))
+    o.points_per_stick = static_cast<std::size_t>(values.integer("stick-points", 2, 10000));
+  o.seed = static_cast<std::uint64_t>(values.integer("seed", 0));
+  readFrame(values, o);
+  readPlaces(values, o);
+  return o;
+}
+
+int synthesize(const OptionValues& values) {
+  if (!values.has("output"))
+    throw UsageError("--output DIR is missing");
+  SyntheticFolderOptions write;
+  write.format = kFormats[values.choice("format", kFormats)];
+  write.decimals = static_cast<int>(values.integer("decimals", 0, 9));
+  write.truth = !values.has("no-truth");
+  write.truth_resolution = values.number("truth-resolution", 0.0);
+  write.threads = static_cast<unsigned>(values.integer("threads", 0, 1024));
+  const SyntheticOptions options = readOptions(values);
+  const SyntheticModel model(options);
+  const std::vector<std::string> files = writeSyntheticFolder(model, values.text("output"), write);
+  if (!values.has("quiet"))
+    std::cout << "Wrote " << options.picks << " picks of " << model.blockCount() << " block(s), " << model.faultCount()
+              << " fault(s) and " << files.size() << " files to " << values.text("output")
+              << "; README.txt there says what is what.\n";
+  return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) { return graben::runTool(makeParser(), argc, argv, synthesize); }
