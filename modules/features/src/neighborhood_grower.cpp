@@ -6,10 +6,13 @@
 namespace graben::detail {
 namespace {
 
-constexpr std::size_t FIRST_FACTOR =
-    3; ///< candidates asked for, in multiples of K, where not all of the K nearest join
-constexpr std::size_t LAST_FACTOR = 27;
+// Candidates asked for, in multiples of K, where not all of the K nearest join.
+constexpr std::size_t FIRST_FACTOR = 3, LAST_FACTOR = 27;
 constexpr std::size_t ANCHORS = 4;
+
+double noneIfZero(double limit) {
+  return limit > 0.0 ? limit : std::numeric_limits<double>::infinity();
+}
 
 } // namespace
 
@@ -19,23 +22,24 @@ NeighborhoodGrower::NeighborhoodGrower(const NeighborGrid& grid, const FaultNetw
     , points_(grid.points())
     , faults_(faults)
     , wanted_(std::max<std::size_t>(options.neighbors, 3))
-    , step_(options.rho_plus_delta > 0.0 ? options.rho_plus_delta
-                                         : std::numeric_limits<double>::infinity()) {
-  squared_step_ = step_ * step_;
-}
+    , step_(noneIfZero(options.rho_plus_delta))
+    , squared_step_(step_ * step_)
+    , max_distance_(noneIfZero(options.max_distance)) {}
 
 /// Fills candidates_ from the \a count nearest points; false if that gives fewer than K - 1
 /// distinct ones although there may be more.
-bool NeighborhoodGrower::queryCandidates(Index pick, std::size_t count) {
-  const Vector3& p = points_[static_cast<std::size_t>(pick)];
-  grid_.nearest(p, count, found_);
-  all_queried_ = found_.size() == grid_.size();
+bool NeighborhoodGrower::queryCandidates(std::size_t count) {
+  grid_.nearest(place_, count, found_, max_distance_);
+  all_queried_ = found_.size() < count || found_.size() == grid_.size();
   candidates_.clear();
   Bounds box;
-  box.extend(p);
+  box.extend(place_);
   for (const Neighbor& neighbor : found_) {
-    if (neighbor.squared_distance == 0.0)
+    if (neighbor.squared_distance == 0.0) {
+      if (pick_ < 0)
+        pick_ = neighbor.index;
       continue;
+    }
     const Vector3& q = points_[static_cast<std::size_t>(neighbor.index)];
     bool repeated = false;
     for (auto other = candidates_.rbegin();
@@ -61,11 +65,17 @@ bool NeighborhoodGrower::stepsInto(const Vector3& point,
 
 /// The common case: no fault near, and every candidate may join when its turn comes. False if not
 /// so.
-bool NeighborhoodGrower::growInOrder(Index pick, std::vector<Index>& neighbors) const {
+void NeighborhoodGrower::start(std::vector<Index>& neighbors) const {
+  neighbors.clear();
+  if (pick_ >= 0)
+    neighbors.push_back(pick_);
+}
+
+bool NeighborhoodGrower::growInOrder(std::vector<Index>& neighbors) const {
   if (near_fault_ || candidates_.size() + 1 < wanted_)
     return false;
-  neighbors.assign(1, pick);
-  for (std::size_t i = 0; i + 1 < wanted_; ++i) {
+  start(neighbors);
+  for (std::size_t i = 0; i < candidates_.size() && neighbors.size() < wanted_; ++i) {
     const Candidate& candidate = candidates_[i];
     if (candidate.squared_distance >= squared_step_ &&
         !stepsInto(points_[static_cast<std::size_t>(candidate.index)], neighbors))
@@ -87,9 +97,8 @@ void NeighborhoodGrower::join(Candidate& candidate, std::vector<Index>& neighbor
 
 /// Joins, time after time, the candidate nearest to the pick that is a step away and not across a
 /// fault as seen from the anchor.
-void NeighborhoodGrower::growByRounds(Index pick, const Vector3& anchor,
-                                      std::vector<Index>& neighbors) {
-  neighbors.assign(1, pick);
+void NeighborhoodGrower::growByRounds(const Vector3& anchor, std::vector<Index>& neighbors) {
+  start(neighbors);
   blocked_ = false;
   for (Candidate& candidate : candidates_) {
     candidate.open = true;
@@ -121,33 +130,41 @@ bool NeighborhoodGrower::mayGrowFurther(const std::vector<Index>& neighbors) con
     return false;
   if (std::isinf(step_))
     return true;
-  const Vector3& p = points_[static_cast<std::size_t>(neighbors.front())];
   double reach = 0.0;
   for (const Index n : neighbors)
-    reach = std::max(reach, (points_[static_cast<std::size_t>(n)] - p).norm());
+    reach = std::max(reach, (points_[static_cast<std::size_t>(n)] - place_).norm());
   return std::sqrt(candidates_.back().squared_distance) < reach + step_;
 }
 
 void NeighborhoodGrower::grow(Index pick, std::vector<Index>& neighbors) {
+  pick_ = pick;
+  place_ = points_[static_cast<std::size_t>(pick)];
+  growFromHere(neighbors);
+}
+
+void NeighborhoodGrower::growAt(const Vector3& place, std::vector<Index>& neighbors) {
+  pick_ = -1;
+  place_ = place;
+  growFromHere(neighbors);
+}
+
+void NeighborhoodGrower::growFromHere(std::vector<Index>& neighbors) {
   neighbors.clear();
-  const Vector3& p = points_[static_cast<std::size_t>(pick)];
-  if (!p.allFinite())
+  if (!place_.allFinite())
     return;
-  std::size_t factor = 1;
-  bool enough = queryCandidates(pick, wanted_);
-  if (enough && growInOrder(pick, neighbors))
+  if (queryCandidates(wanted_) && growInOrder(neighbors))
     return;
-  for (factor = FIRST_FACTOR;; factor *= 3) {
-    enough = queryCandidates(pick, factor * wanted_);
+  for (std::size_t factor = FIRST_FACTOR;; factor *= 3) {
+    const bool enough = queryCandidates(factor * wanted_);
     if (!enough && factor < LAST_FACTOR)
       continue;
-    growByRounds(pick, p, neighbors);
+    growByRounds(place_, neighbors);
     // A pick on a fault sees nothing; it takes the side of the nearest pick that does.
-    for (std::size_t a = 0;
-         a < std::min(ANCHORS, candidates_.size()) && neighbors.size() < 3 && blocked_; ++a)
-      growByRounds(pick, points_[static_cast<std::size_t>(candidates_[a].index)], neighbors);
-    if (factor >= LAST_FACTOR || (neighbors.size() >= wanted_ / 2 && neighbors.size() >= 6) ||
-        !mayGrowFurther(neighbors))
+    const std::size_t anchors = blocked_ ? std::min(ANCHORS, candidates_.size()) : 0;
+    for (std::size_t a = 0; a < anchors && neighbors.size() < 3; ++a)
+      growByRounds(points_[static_cast<std::size_t>(candidates_[a].index)], neighbors);
+    const bool plenty = neighbors.size() >= wanted_ / 2 && neighbors.size() >= 6;
+    if (factor >= LAST_FACTOR || plenty || !mayGrowFurther(neighbors))
       return;
   }
 }

@@ -164,7 +164,7 @@ std::size_t chooseFitNeighbors(const NeighborGrid& grid) {
 
 Measures measureAll(const NeighborGrid& grid, unsigned threads) {
   const std::size_t fit_neighbors = chooseFitNeighbors(grid);
-  const std::size_t count = std::min(PICKS, grid.size());
+  const std::size_t count = std::min(PICKS * FIT_NEIGHBORS / fit_neighbors, grid.size());
   std::vector<Measures> parts((count + GRAIN - 1) / GRAIN);
   parallelBlocks(count, GRAIN, threads, [&](std::size_t begin, std::size_t end) {
     Sampler sampler(grid, fit_neighbors);

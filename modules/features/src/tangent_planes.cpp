@@ -10,6 +10,26 @@
 namespace graben {
 namespace {
 
+constexpr std::size_t GRAIN = 1024;
+
+TangentPlanes noPlanes(std::size_t count) {
+  constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
+  TangentPlanes planes;
+  planes.centres.assign(count, Vector3::Constant(NONE));
+  planes.normals.assign(count, Vector3::Constant(NONE));
+  planes.curvature.assign(count, static_cast<float>(NONE));
+  return planes;
+}
+
+void setPlane(TangentPlanes& planes, std::size_t i,
+              const std::optional<detail::FittedPlane>& plane) {
+  if (!plane)
+    return;
+  planes.centres[i] = plane->centre;
+  planes.normals[i] = plane->normal;
+  planes.curvature[i] = static_cast<float>(plane->curvature);
+}
+
 void check(const NeighborGrid& grid, const TangentPlaneOptions& options) {
   if (options.neighbors < 3)
     throw InvalidInputError(
@@ -18,6 +38,9 @@ void check(const NeighborGrid& grid, const TangentPlaneOptions& options) {
   if (std::isnan(options.rho_plus_delta) || options.rho_plus_delta < 0.0)
     throw InvalidInputError("estimating tangent planes",
                             "rho + delta must be 0 (no limit) or positive.");
+  if (std::isnan(options.max_distance) || options.max_distance < 0.0)
+    throw InvalidInputError("estimating tangent planes",
+                            "The farthest neighbour's distance must be 0 (no limit) or positive.");
   if (grid.points().size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
     throw InvalidInputError("estimating tangent planes",
                             "The cloud has more points than a 32-bit index counts.");
@@ -37,25 +60,30 @@ void growNeighborhood(const NeighborGrid& grid, const FaultNetwork& faults, Inde
 TangentPlanes estimateTangentPlanes(const NeighborGrid& grid, const FaultNetwork& faults,
                                     const TangentPlaneOptions& options) {
   check(grid, options);
-  constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
-  constexpr std::size_t GRAIN = 1024;
-  const Points& points = grid.points();
-  TangentPlanes planes;
-  planes.centres.assign(points.size(), Vector3::Constant(NONE));
-  planes.normals.assign(points.size(), Vector3::Constant(NONE));
-  planes.curvature.assign(points.size(), static_cast<float>(NONE));
+  TangentPlanes planes = noPlanes(grid.points().size());
   const std::vector<Index>& order = grid.order();
   parallelBlocks(order.size(), GRAIN, options.threads, [&](std::size_t begin, std::size_t end) {
     detail::NeighborhoodGrower grower(grid, faults, options);
     std::vector<Index> neighbors;
     for (std::size_t i = begin; i < end; ++i) {
       grower.grow(order[i], neighbors);
-      const auto pick = static_cast<std::size_t>(order[i]);
-      if (const auto plane = detail::fitPlane(points, neighbors)) {
-        planes.centres[pick] = plane->centre;
-        planes.normals[pick] = plane->normal;
-        planes.curvature[pick] = static_cast<float>(plane->curvature);
-      }
+      setPlane(planes, static_cast<std::size_t>(order[i]),
+               detail::fitPlane(grid.points(), neighbors));
+    }
+  });
+  return planes;
+}
+
+TangentPlanes estimateTangentPlanesAt(const NeighborGrid& grid, const FaultNetwork& faults,
+                                      const TangentPlaneOptions& options, const Points& places) {
+  check(grid, options);
+  TangentPlanes planes = noPlanes(places.size());
+  parallelBlocks(places.size(), GRAIN, options.threads, [&](std::size_t begin, std::size_t end) {
+    detail::NeighborhoodGrower grower(grid, faults, options);
+    std::vector<Index> neighbors;
+    for (std::size_t i = begin; i < end; ++i) {
+      grower.growAt(places[i], neighbors);
+      setPlane(planes, i, detail::fitPlane(grid.points(), neighbors));
     }
   });
   return planes;

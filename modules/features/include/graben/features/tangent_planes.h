@@ -21,6 +21,7 @@ struct TangentPlaneOptions {
       15; ///< K: most points a plane is fitted to, the pick itself included as in PCL; 3 or more
   double rho_plus_delta = 0.0; ///< largest step from the neighbours found so far to a new one, in
                                ///< the picks' units; 0: no limit
+  double max_distance = 0.0;   ///< farthest neighbour, in the picks' units; 0: no limit
   unsigned threads = 0;        ///< 0: one per processor
 };
 
@@ -42,5 +43,10 @@ void growNeighborhood(const NeighborGrid& grid, const FaultNetwork& faults, Inde
 /// InvalidInputError if an option is out of range
 TangentPlanes estimateTangentPlanes(const NeighborGrid& grid, const FaultNetwork& faults,
                                     const TangentPlaneOptions& options);
+
+/// The same at any places, for example a subset of the picks: planes fitted to the picks around
+/// each place (a pick at that very place included). \return one plane for each place
+TangentPlanes estimateTangentPlanesAt(const NeighborGrid& grid, const FaultNetwork& faults,
+                                      const TangentPlaneOptions& options, const Points& places);
 
 } // namespace graben

@@ -1,0 +1,175 @@
+#include "clouds.h"
+#include "graben/core/errors.h"
+#include "graben/features/orientation.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+namespace graben {
+namespace {
+
+/// Turns about half of the normals round.
+void scramble(Points& normals) {
+  test::Random random(5);
+  for (Vector3& normal : normals)
+    if (random.uniform(0.0, 1.0) < 0.5)
+      normal = -normal;
+}
+
+Points planesOf(const NeighborGrid& grid, const FaultNetwork& faults = {}, double step = 0.0) {
+  TangentPlaneOptions options;
+  options.rho_plus_delta = step;
+  Points normals = estimateTangentPlanes(grid, faults, options).normals;
+  scramble(normals);
+  return normals;
+}
+
+TEST(Orientation, SphereOutward) {
+  const Vector3 centre(461600.0, 5926880.0, -2000.0);
+  const Points points = test::sphere(4000, 100.0, centre);
+  const NeighborGrid grid(points);
+  Points normals = planesOf(grid);
+  const OrientationResult result = orientNormals(grid, {}, {}, normals);
+  EXPECT_EQ(result.components, 1U);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ASSERT_GT(normals[i].dot((points[i] - centre).normalized()), 0.99);
+}
+
+TEST(Orientation, HalfSphereUp) {
+  Points points = test::sphere(4000, 100.0, Vector3::Zero());
+  points.erase(
+      std::remove_if(points.begin(), points.end(), [](const Vector3& p) { return p.z() > 0.0; }),
+      points.end());
+  const NeighborGrid grid(points);
+  Points normals = planesOf(grid);
+  orientNormals(grid, {}, {}, normals);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ASSERT_LT(normals[i].dot(points[i].normalized()), -0.99) << "a bowl's normals are up, into it";
+}
+
+TEST(Orientation, TwoSheetsEachUp) {
+  Points points = test::wavySheet(4000, 1000.0, 0.5);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i].z() += i % 2 == 0 ? 0.0 : 500.0;
+  const NeighborGrid grid(points);
+  Points normals = planesOf(grid);
+  const OrientationResult result = orientNormals(grid, {}, {}, normals);
+  EXPECT_EQ(result.components, 2U);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ASSERT_GT(normals[i].z(), 0.5);
+    ASSERT_EQ(result.of_pick[i], result.of_pick[i % 2]);
+  }
+  EXPECT_NE(result.of_pick[0], result.of_pick[1]);
+}
+
+TEST(Orientation, WavyHorizonAtUtmDepth) {
+  Points points = test::wavySheet(20000, 10000.0, 2.0);
+  for (Vector3& p : points)
+    p += Vector3(461600.0, 5926880.0, -2500.0);
+  const NeighborGrid grid(points);
+  Points normals = planesOf(grid);
+  orientNormals(grid, {}, {}, normals);
+  for (const Vector3& normal : normals)
+    ASSERT_GT(normal.z(), 0.0);
+}
+
+TEST(Orientation, AFaultSeparatesComponents) {
+  const test::ThrownFold fold(5.0);
+  const NeighborGrid grid(fold.points);
+  Points normals = planesOf(grid, fold.faults);
+  const OrientationResult result = orientNormals(grid, fold.faults, {}, normals);
+  EXPECT_EQ(result.components, 2U);
+  for (std::size_t i = 0; i < fold.points.size(); ++i) {
+    ASSERT_EQ(result.of_pick[i], result.of_pick[i < fold.left_count ? 0 : fold.left_count]);
+    ASSERT_GT(normals[i].dot(fold.normalAt(i)), 0.999);
+  }
+  normals = planesOf(grid, fold.faults);
+  EXPECT_EQ(orientNormals(grid, {}, {}, normals).components, 1U);
+}
+
+TEST(Orientation, LongestEdgeSeparatesComponents) {
+  const test::ThrownFold fold(30.0);
+  const NeighborGrid grid(fold.points);
+  OrientationOptions options;
+  options.rho_plus_delta = 12.0;
+  Points normals = planesOf(grid, {}, 12.0);
+  EXPECT_EQ(orientNormals(grid, {}, options, normals).components, 2U);
+}
+
+TEST(Orientation, UpAxisTurnsEachNormal) {
+  const Points points(4, Vector3::Zero());
+  Points normals = {{0, 0, -1},
+                    {0, 0.6, 0.8},
+                    {1, 0, 0},
+                    Vector3::Constant(std::numeric_limits<double>::quiet_NaN())};
+  OrientationOptions options;
+  options.method = OrientationMethod::UpAxis;
+  const OrientationResult result = orientNormals(NeighborGrid(points), {}, options, normals);
+  EXPECT_EQ(result.components, 1U);
+  EXPECT_EQ(normals[0], Vector3(0, 0, 1));
+  EXPECT_EQ(normals[1], Vector3(0, 0.6, 0.8));
+  EXPECT_EQ(normals[2], Vector3(1, 0, 0));
+  EXPECT_TRUE(normals[3].hasNaN());
+  options.up = Vector3(-2, 0, 0);
+  orientNormals(NeighborGrid(points), {}, options, normals);
+  EXPECT_EQ(normals[2], Vector3(-1, 0, 0));
+}
+
+TEST(Orientation, PicksWithoutNormalStayOut) {
+  const Points points = test::wavySheet(1000, 1000.0, 1.0);
+  const NeighborGrid grid(points);
+  Points normals = planesOf(grid);
+  normals[7].setConstant(std::numeric_limits<double>::quiet_NaN());
+  const OrientationResult result = orientNormals(grid, {}, {}, normals);
+  EXPECT_TRUE(normals[7].hasNaN());
+  EXPECT_EQ(result.of_pick[7], -1);
+  EXPECT_EQ(result.of_pick[8], 0);
+}
+
+TEST(Orientation, TheTreeTakesTheEdgesOfLeastTurn) {
+  // A ridge sharper than 90 degrees: sums of normals tell nothing there, the tree must go around by
+  // its rounded end.
+  Points points, normals;
+  for (int i = 0; i < 200; ++i) {
+    const double angle = 3.5 * i / 199.0 - 1.75;
+    for (int j = 0; j < 5; ++j) {
+      points.emplace_back(std::sin(angle), 0.05 * j, std::cos(angle));
+      normals.emplace_back(std::sin(angle), 0.0, std::cos(angle));
+    }
+  }
+  const Points truth = normals;
+  scramble(normals);
+  const NeighborGrid grid(points);
+  EXPECT_EQ(orientNormals(grid, {}, {}, normals).components, 1U);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ASSERT_GT(normals[i].dot(truth[i]), 0.0);
+}
+
+TEST(Orientation, TheSameForAnyNumberOfThreads) {
+  const Points points = test::wavySheet(20000, 1000.0, 3.0);
+  const NeighborGrid grid(points);
+  Points one = planesOf(grid), four = one;
+  OrientationOptions options;
+  options.threads = 1;
+  const OrientationResult result_one = orientNormals(grid, {}, options, one);
+  options.threads = 4;
+  const OrientationResult result_four = orientNormals(grid, {}, options, four);
+  EXPECT_EQ(one, four);
+  EXPECT_EQ(result_one.of_pick, result_four.of_pick);
+}
+
+TEST(Orientation, EmptyAndWrongInput) {
+  Points none;
+  EXPECT_EQ(orientNormals(NeighborGrid(), {}, {}, none).components, 0U);
+  const Points points = {{0, 0, 0}, {1, 0, 0}};
+  EXPECT_THROW(orientNormals(NeighborGrid(points), {}, {}, none), InvalidInputError);
+  Points normals(2, Vector3::UnitZ());
+  OrientationOptions options;
+  options.up.setZero();
+  EXPECT_THROW(orientNormals(NeighborGrid(points), {}, options, normals), InvalidInputError);
+}
+
+} // namespace
+} // namespace graben

@@ -1,0 +1,193 @@
+#include "clouds.h"
+#include "graben/core/errors.h"
+#include "graben/features/tangent_planes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace graben {
+namespace {
+
+TangentPlanes planesOf(const Points& points, const TangentPlaneOptions& options = {},
+                       const FaultNetwork& faults = {}) {
+  return estimateTangentPlanes(NeighborGrid(points), faults, options);
+}
+
+double worstAngle(const test::ThrownFold& fold, const TangentPlanes& planes) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < fold.points.size(); ++i) {
+    const double angle = test::lineAngle(planes.normals[i], fold.normalAt(i));
+    worst = std::isnan(angle) ? 90.0 : std::max(worst, angle);
+  }
+  return worst;
+}
+
+TEST(TangentPlanes, ExactOnAPlaneFarFromTheOrigin) {
+  Points points;
+  const test::PlanarGrid grid = {12.5, 0.0, 500.0, 500.0, 0.37, -0.21, -1500.0};
+  grid.appendTo(points);
+  for (Vector3& p : points)
+    p += Vector3(461600.0, 5926880.0, -2000.0);
+  const TangentPlanes planes = planesOf(points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ASSERT_LT(test::lineAngle(planes.normals[i], grid.normal()), 1e-7);
+    ASSERT_NEAR((planes.centres[i] - points[i]).dot(grid.normal()), 0.0, 1e-8);
+    ASSERT_NEAR(planes.curvature[i], 0.0, 1e-12);
+  }
+}
+
+TEST(TangentPlanes, ExactAtAFaultWherePlainNeighboursAreWrong) {
+  const test::ThrownFold fold;
+  EXPECT_LT(worstAngle(fold, planesOf(fold.points, {}, fold.faults)), 1e-6);
+  EXPECT_GT(worstAngle(fold, planesOf(fold.points)), 20.0);
+}
+
+TEST(TangentPlanes, KeepManyNeighboursAtAFault) {
+  const test::ThrownFold fold;
+  const NeighborGrid grid(fold.points);
+  std::vector<Index> neighbors;
+  for (std::size_t i = 0; i < fold.points.size(); ++i) {
+    growNeighborhood(grid, fold.faults, static_cast<Index>(i), {}, neighbors);
+    ASSERT_EQ(neighbors.size(), 15U);
+    ASSERT_EQ(neighbors.front(), static_cast<Index>(i));
+    for (const Index n : neighbors)
+      ASSERT_EQ(static_cast<std::size_t>(n) < fold.left_count, i < fold.left_count);
+  }
+}
+
+TEST(TangentPlanes, ThePaperRuleStopsAtAGapWithoutAnyFault) {
+  const test::ThrownFold fold(30.0);
+  TangentPlaneOptions options;
+  options.rho_plus_delta = 12.0; // rows are 10 apart, the gap with its throw more than 30
+  EXPECT_LT(worstAngle(fold, planesOf(fold.points, options)), 1e-6);
+}
+
+TEST(TangentPlanes, NeighbourhoodReachesAroundAHoleStepByStep) {
+  // A horseshoe of picks: the far arm is near in distance but many steps away.
+  Points points = {{0, 0, 0}};
+  for (int i = 1; i <= 6; ++i)
+    points.emplace_back(i, 0, 0);
+  points.emplace_back(6, 1, 0);
+  for (int i = 6; i >= 0; --i)
+    points.emplace_back(i, 2, 0);
+  TangentPlaneOptions options;
+  options.neighbors = 9;
+  options.rho_plus_delta = 1.5;
+  std::vector<Index> neighbors;
+  const NeighborGrid grid(points);
+  growNeighborhood(grid, {}, 0, options, neighbors);
+  EXPECT_THAT(neighbors, testing::ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 9));
+  options.neighbors = 10; // past the bend the arm leads back towards the pick
+  growNeighborhood(grid, {}, 0, options, neighbors);
+  EXPECT_EQ(neighbors.back(), 10);
+  options.rho_plus_delta = 2.5; // now the far arm is a step away
+  options.neighbors = 3;
+  growNeighborhood(grid, {}, 0, options, neighbors);
+  EXPECT_THAT(neighbors, testing::ElementsAre(0, 1, 2));
+  options.neighbors = 4;
+  growNeighborhood(grid, {}, 0, options, neighbors);
+  EXPECT_THAT(neighbors, testing::ElementsAre(0, 1, 2, 14));
+}
+
+TEST(TangentPlanes, APickOnTheFaultTakesOneSide) {
+  test::ThrownFold fold;
+  fold.points.emplace_back(0.0, 200.0, 20.0);
+  const TangentPlanes planes = planesOf(fold.points, {}, fold.faults);
+  const Vector3& normal = planes.normals.back();
+  ASSERT_TRUE(normal.allFinite());
+  EXPECT_LT(std::min(test::lineAngle(normal, fold.left.normal()),
+                     test::lineAngle(normal, fold.right.normal())),
+            1e-6);
+}
+
+TEST(TangentPlanes, RepeatedPicksDoNotHideThePlane) {
+  Points points;
+  const test::PlanarGrid grid = {10.0, 0.0, 100.0, 100.0, 0.5, 0.0, 0.0};
+  grid.appendTo(points);
+  const Points once = points;
+  for (int i = 0; i < 40; ++i)
+    points.insert(points.end(), once.begin(), once.end());
+  const TangentPlanes planes = planesOf(points);
+  for (const Vector3& normal : planes.normals)
+    ASSERT_LT(test::lineAngle(normal, grid.normal()), 1e-6);
+}
+
+TEST(TangentPlanes, NoPlaneWhereThereIsNone) {
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  Points line;
+  for (int i = 0; i < 30; ++i)
+    line.emplace_back(3.0 * i, 4.0 * i, 5.0 * i);
+  for (const Points& points :
+       {line, Points(50, Vector3(1, 2, 3)), Points{{1, 2, 3}}, Points{{0, 0, 0}, {1, 0, 0}},
+        Points{{nothing, 0, 0}, {0, 0, 0}, {1, 0, 0}}}) {
+    const TangentPlanes planes = planesOf(points);
+    ASSERT_EQ(planes.normals.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      EXPECT_TRUE(planes.normals[i].hasNaN() && planes.centres[i].hasNaN() &&
+                  std::isnan(planes.curvature[i]));
+  }
+  EXPECT_TRUE(planesOf({}).normals.empty());
+}
+
+TEST(TangentPlanes, APickThatIsNotFiniteGetsNoneAndHarmsNoOther) {
+  Points points;
+  const test::PlanarGrid grid;
+  grid.appendTo(points);
+  points[100].y() = std::numeric_limits<double>::infinity();
+  const TangentPlanes planes = planesOf(points);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_EQ(planes.normals[i].allFinite(), i != 100);
+}
+
+TEST(TangentPlanes, AtPlacesAsAtPicks) {
+  const Points points = test::wavySheet(3000, 1000.0, 1.0);
+  const NeighborGrid grid(points);
+  const TangentPlanes own = estimateTangentPlanes(grid, {}, {}),
+                      at = estimateTangentPlanesAt(grid, {}, {}, points);
+  EXPECT_EQ(own.normals, at.normals);
+  EXPECT_EQ(own.centres, at.centres);
+  const TangentPlanes off = estimateTangentPlanesAt(grid, {}, {}, {Vector3(500.0, 500.0, 3.0)});
+  EXPECT_LT(test::lineAngle(off.normals[0], Vector3::UnitZ()), 15.0);
+}
+
+TEST(TangentPlanes, MaxDistanceLimitsNeighbours) {
+  Points points;
+  test::PlanarGrid().appendTo(points);
+  TangentPlaneOptions options;
+  options.neighbors = 1000;
+  options.max_distance = 20.0;
+  std::vector<Index> neighbors;
+  growNeighborhood(NeighborGrid(points), {}, 31 * 15 + 15, options, neighbors);
+  EXPECT_EQ(neighbors.size(), 13U);
+}
+
+TEST(TangentPlanes, TheSameForAnyNumberOfThreads) {
+  const Points points = test::wavySheet(20000, 1000.0, 1.0);
+  const NeighborGrid grid(points);
+  TangentPlaneOptions options;
+  options.rho_plus_delta = 15.0;
+  options.threads = 1;
+  const TangentPlanes one = estimateTangentPlanes(grid, {}, options);
+  options.threads = 4;
+  const TangentPlanes four = estimateTangentPlanes(grid, {}, options);
+  EXPECT_EQ(one.normals, four.normals);
+  EXPECT_EQ(one.centres, four.centres);
+  EXPECT_EQ(one.curvature, four.curvature);
+}
+
+TEST(TangentPlanes, OptionsOutOfRangeAreRefused) {
+  const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  TangentPlaneOptions options;
+  options.neighbors = 2;
+  EXPECT_THROW(planesOf(points, options), InvalidInputError);
+  options = {};
+  options.rho_plus_delta = -1.0;
+  EXPECT_THROW(planesOf(points, options), InvalidInputError);
+  std::vector<Index> neighbors;
+  EXPECT_THROW(growNeighborhood(NeighborGrid(points), {}, 3, {}, neighbors), InvalidInputError);
+}
+
+} // namespace
+} // namespace graben
