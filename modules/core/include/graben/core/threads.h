@@ -22,7 +22,8 @@ void parallelBlocks(std::size_t count, std::size_t grain, unsigned threads, cons
   const auto blocks = static_cast<std::ptrdiff_t>((count + grain - 1) / grain);
   std::exception_ptr failure;
   std::mutex failure_guard;
-#pragma omp parallel for schedule(dynamic) num_threads(static_cast<int>(threadCount(threads)))
+  const auto team = static_cast<int>(std::min<std::ptrdiff_t>(blocks, threadCount(threads)));
+#pragma omp parallel for schedule(dynamic) num_threads(team) if (team > 1)
   for (std::ptrdiff_t b = 0; b < blocks; ++b) {
     try {
       const std::size_t begin = static_cast<std::size_t>(b) * grain;
