@@ -4,6 +4,8 @@
 #include "graben/faults/fault_network.h"
 #include "graben/mesh/adjacency.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <optional>
 

@@ -2,6 +2,8 @@
 
 #include "graben/surface/fault_signature.h"
 
+#include <Eigen/Geometry>
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>

@@ -3,6 +3,8 @@
 #include "graben/surface/local_fit.h"
 #include "graben/surface/zone_fit.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 

@@ -6,6 +6,8 @@
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>

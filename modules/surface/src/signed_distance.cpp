@@ -1,5 +1,7 @@
 #include "graben/surface/signed_distance.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "graben/core/local_frame.h"
+#include "graben/core/progress.h"
+#include "graben/faults/fault_network.h"
+#include "graben/features/orientation.h"
+#include "graben/features/sampling.h"
+#include "graben/pipeline/reconstruction_report.h"
+#include "graben/surface/zone_fit.h"
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace graben {
+
+/// A fault as the user gives it, in the user's frame: a mesh, or sticks to be lofted.
+struct FaultGeometry {
+  std::string name;
+  std::variant<TriangleMesh, std::vector<FaultStick>> geometry;
+  ZPositive z_positive = ZPositive::Unknown; ///< Unknown: as the picks'
+};
+
+/// Everything that can be set. A value of 0 means: estimate it from the picks.
+struct ReconstructionOptions {
+  double voxel_size = 0.0;   ///< h, edge of a marching-cubes cell, in the picks' x, y units; 0: the picks' mean distance
+  std::size_t neighbors = 15; ///< K, picks a tangent plane is fitted to, 3 or more; more is smoother
+  double rho = 0.0;          ///< the cloud is rho-dense, in x, y units; holes wider than about twice this stay open
+  double delta = 0.0;        ///< the cloud is delta-noisy, in x, y units
+  double flip_angle = 60.0;  ///< degrees, 0 to 180; 180: off
+  double zone_width = 0.0;   ///< the zone is what lies within this distance of a fault, in x, y units; 0: five voxels
+  double fault_reach = 0.0;  ///< farthest the surface is carried on from the last picks to a fault, in x, y units; 0: estimated
+  FitMode fit = FitMode::Full;
+  bool smooth = true;        ///< values averaged over picks of the same side; false: Hoppe's nearest plane alone, and no refinement after the fit
+  OrientationMethod orientation = OrientationMethod::SpanningTree;
+  double z_scale = 1.0;      ///< z is multiplied by this for all distance work (time in ms against metres)
+  ZPositive z_positive = ZPositive::Unknown; ///< which way the picks' z grows; Unknown counts as up
+  std::size_t memory_limit = 0; ///< bytes the extraction may take; 0: no limit
+  unsigned threads = 0;      ///< 0: one per processor
+  ProgressCallback progress;
+};
+
+/// What a reconstruction gives. Coordinates are in the user's frame unless a name says local.
+struct ReconstructionResult {
+  TriangleMesh mesh;                    ///< the whole horizon: vertex normals (up), piece labels, vertices doubled along the cuts
+  std::vector<std::array<Index, 2>> vertex_faults; ///< faults each mesh vertex lies on, see CutMesh
+  std::vector<FaultSurface> faults;     ///< faults as used: lofted, extended, with upward normals
+  Points pick_normals;                  ///< oriented normal of each pick; NaN where there is none
+  std::vector<Index> pick_piece;        ///< piece nearest to each pick, -1 where none is in reach
+  LocalFrame frame;
+  TriangleMesh local_mesh;              ///< the same mesh as the algorithms saw it: origin subtracted, z up and scaled
+  std::shared_ptr<const FaultNetwork> local_faults;
+  ReconstructionReport report;
+};
+
+/// The main job: picks and faults in, the faulted horizon out.
+///
+/// Stages in order: frame, neighbours, faults, normals, orientation, marching cubes, cut, fit, evaluation. Deterministic: the same bytes for any number of
+/// threads. Not changed by reconstruct(); one object may serve several threads. Cost grows with the picks and, for the fault stages, with the picks near faults.
+class HorizonReconstruction {
+public:
+  explicit HorizonReconstruction(ReconstructionOptions options = {});
+
+  /// \param[in] picks  in the user's frame, double; points that are not finite are left out
+  /// \param[in] faults in the user's frame; may be empty: a general Hoppe reconstruction with holes left open
+  /// \throw InvalidInputError if there are fewer than three distinct picks, all are on a line, a fault cannot be used or an option is out of range
+  /// \throw ResourceError     if the voxel size makes the job too large for the memory limit
+  ReconstructionResult reconstruct(const Points& picks, const std::vector<FaultGeometry>& faults = {}) const;
+
+  const ReconstructionOptions& options() const { return options_; }
+
+private:
+  ReconstructionOptions options_;
+};
+
+} // namespace graben

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "graben/analysis/approximation_error.h"
+#include "graben/analysis/seal.h"
+#include "graben/analysis/topology.h"
+#include "graben/analysis/triangle_quality.h"
+#include "graben/features/sampling.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace graben {
+
+struct StageTiming {
+  std::string stage;
+  double seconds = 0.0;      ///< wall time
+  std::size_t peak_bytes = 0; ///< peak resident memory of the process up to the end of the stage
+};
+
+/// The parameters a reconstruction ran with, given or estimated, in the picks' units.
+struct UsedParameters {
+  double voxel_size = 0.0;
+  double rho = 0.0;
+  double delta = 0.0;
+  double zone_width = 0.0;
+  double fault_reach = 0.0;
+  double flip_angle = 0.0;
+  std::size_t neighbors = 0;
+  double z_scale = 1.0;
+  std::string fit;
+  std::string orientation;
+  std::string z_positive;
+};
+
+struct FaultReport {
+  std::string name;
+  std::size_t triangles = 0;
+  std::size_t cut_vertices = 0;   ///< mesh vertices on the fault; 0: the fault does not touch the horizon
+  std::string branches_off;       ///< name of the fault it ends at, or empty
+  double branch_gap = 0.0;        ///< largest distance it was extended over to reach that fault
+};
+
+/// What a reconstruction says of itself.
+struct ReconstructionReport {
+  std::size_t picks = 0;
+  std::size_t picks_not_finite = 0;
+  Sampling sampling;
+  UsedParameters used;
+  std::vector<FaultReport> faults;
+  std::size_t cells = 0;
+  std::size_t rejected_by_flip_angle = 0;
+  std::size_t crumbs_removed = 0;        ///< components of under 20 triangles left out of the mesh
+  DistanceStatistics zone_before_fit;    ///< E(M, X) over the picks in the zone
+  DistanceStatistics zone_after_fit;
+  DistanceStatistics all_picks;          ///< over all picks, after the fit
+  TopologyReport topology;
+  TriangleQuality quality;
+  SealReport seal;
+  std::size_t bridging_triangles = 0;
+  std::vector<StageTiming> stages;
+  std::vector<std::string> warnings;     ///< sentences for the user
+};
+
+/// The report as JSON, with a fixed order of keys. Timings and memory are left out if \a with_timings is false, so that two runs compare equal.
+std::string toJson(const ReconstructionReport& report, bool with_timings = true);
+
+} // namespace graben

@@ -1,0 +1,75 @@
+#include "evaluation.h"
+
+#include "graben/analysis/bridges.h"
+#include "graben/core/threads.h"
+
+#include <algorithm>
+
+namespace graben {
+
+namespace {
+
+constexpr double kOnFault = 0.01; // of a voxel
+
+void evaluateFaults(const CutMesh& cut, const FaultNetwork& faults, unsigned threads, ReconstructionReport& report) {
+  const double tolerance = kOnFault * report.used.voxel_size;
+  report.bridging_triangles = bridgingTriangles(cut.mesh, faults, tolerance, threads).size();
+  SealOptions seal;
+  seal.zone_width = report.used.voxel_size;
+  seal.tolerance = tolerance;
+  seal.threads = threads;
+  report.seal = checkSeal(cut.mesh, faults, seal);
+
+  std::vector<std::size_t> vertices(faults.size(), 0);
+  for (const auto& on : cut.vertex_faults)
+    for (const Index f : on)
+      if (f >= 0)
+        ++vertices[static_cast<std::size_t>(f)];
+  for (std::size_t f = 0; f < faults.size(); ++f) {
+    FaultReport entry;
+    entry.name = faults.fault(f).name;
+    entry.triangles = faults.fault(f).mesh.triangles.size();
+    entry.cut_vertices = vertices[f];
+    if (vertices[f] == 0)
+      report.warnings.push_back("Fault " + entry.name + " does not touch the horizon and has no effect; check its coordinates, its units and "
+                                "which way its z grows.");
+    report.faults.push_back(entry);
+  }
+  for (const FaultBranch& branch : faults.branches()) {
+    FaultReport& entry = report.faults[static_cast<std::size_t>(branch.fault)];
+    entry.branches_off = faults.fault(static_cast<std::size_t>(branch.main_fault)).name;
+    entry.branch_gap = branch.gap;
+  }
+}
+
+} // namespace
+
+void evaluate(const CutMesh& cut, const FaultNetwork& faults, const Points& picks, const std::vector<Index>& zone, unsigned threads,
+              ReconstructionReport& report) {
+  report.topology = checkTopology(cut.mesh);
+  report.quality = triangleQuality(cut.mesh, threads);
+  if (!cut.mesh.empty()) {
+    const TriangleBvh bvh(cut.mesh);
+    report.all_picks = approximationError(bvh, picks, threads);
+    report.zone_after_fit = approximationError(bvh, picks, zone, threads);
+  }
+  if (!faults.empty())
+    evaluateFaults(cut, faults, threads, report);
+  if (!report.topology.ok())
+    report.warnings.push_back("The mesh has topological faults; see topology in the report.");
+}
+
+std::vector<Index> piecesOfPicks(const CutMesh& cut, const Points& picks, double reach, unsigned threads) {
+  std::vector<Index> pieces(picks.size(), -1);
+  if (cut.mesh.empty())
+    return pieces;
+  const TriangleBvh bvh(cut.mesh);
+  parallelFor(picks.size(), 256, threads, [&](std::size_t p) {
+    const MeshPoint hit = bvh.nearest(picks[p], reach);
+    if (hit.triangle >= 0)
+      pieces[p] = cut.mesh.piece[static_cast<std::size_t>(cut.mesh.triangles[static_cast<std::size_t>(hit.triangle)][0])];
+  });
+  return pieces;
+}
+
+} // namespace graben

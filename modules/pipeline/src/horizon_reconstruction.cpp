@@ -1,0 +1,240 @@
+#include "graben/pipeline/horizon_reconstruction.h"
+
+#include "evaluation.h"
+#include "fault_preparation.h"
+#include "stage_clock.h"
+
+#include "graben/core/errors.h"
+#include "graben/core/threads.h"
+#include "graben/mesh/components.h"
+#include "graben/mesh/normals.h"
+#include "graben/surface/crumbs.h"
+#include "graben/surface/fault_cut.h"
+#include "graben/surface/local_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graben {
+
+namespace {
+
+constexpr std::size_t kCrumb = 20;
+
+void checkOptions(const ReconstructionOptions& o) {
+  const auto check = [](bool good, const char* message) {
+    if (!good)
+      throw InvalidInputError("options", message);
+  };
+  for (const double length : {o.voxel_size, o.rho, o.delta, o.zone_width, o.fault_reach})
+    check(std::isfinite(length) && length >= 0.0,
+          "voxel size, rho, delta, zone width and fault reach must be positive numbers, or 0 to have them estimated");
+  check(o.neighbors >= 3, "a tangent plane needs at least 3 neighbors");
+  check(o.flip_angle >= 0.0 && o.flip_angle <= 180.0, "the flip angle must lie between 0 and 180 degrees");
+  check(std::isfinite(o.z_scale) && o.z_scale > 0.0, "the z scale must be a positive number");
+}
+
+/// Mean distance between picks where they are dense: from the area that the eight nearest cover.
+double meanDistance(const NeighborGrid& grid, unsigned threads) {
+  constexpr std::size_t k = 9;
+  const std::vector<Index>& order = grid.order();
+  const std::size_t step = std::max<std::size_t>(1, order.size() / 20000);
+  std::vector<double> distances((order.size() + step - 1) / step, 0.0);
+  parallelBlocks(distances.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbor> near;
+    for (std::size_t i = begin; i < end; ++i) {
+      grid.nearest(grid.points()[static_cast<std::size_t>(order[i * step])], k, near);
+      distances[i] = std::sqrt(near.back().squared_distance * M_PI / static_cast<double>(near.size() - 1));
+    }
+  });
+  distances.erase(std::remove(distances.begin(), distances.end(), 0.0), distances.end());
+  if (distances.empty())
+    return 0.0;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+/// One run: the state that the stages hand on.
+class Job {
+public:
+  Job(const ReconstructionOptions& options, ReconstructionResult& result)
+    : options_(options), result_(result), clock_(result.report.stages, options.progress) {}
+
+  void run(const Points& picks, const std::vector<FaultGeometry>& faults) {
+    clock_.start("neighbours");
+    toLocalFrame(picks);
+    prepareParameters();
+    clock_.start("faults");
+    buildFaults(faults);
+    clock_.start("normals");
+    estimateNormals();
+    clock_.start("orientation");
+    orient();
+    clock_.start("marching cubes");
+    SheetMesh sheets = extract();
+    clock_.start("cut");
+    cut(sheets);
+    clock_.start("fit");
+    fit();
+    clock_.start("evaluation");
+    finish();
+    clock_.stop();
+  }
+
+private:
+  void toLocalFrame(const Points& picks) {
+    result_.frame = LocalFrame::around(picks, options_.z_positive, options_.z_scale);
+    points_.resize(picks.size());
+    parallelFor(picks.size(), 1 << 14, options_.threads, [&](std::size_t i) { points_[i] = result_.frame.toLocal(picks[i]); });
+    grid_ = NeighborGrid(points_, 0.0, options_.threads);
+    result_.report.picks = picks.size();
+    result_.report.picks_not_finite = picks.size() - grid_.size();
+  }
+
+  void prepareParameters() {
+    ReconstructionReport& report = result_.report;
+    report.sampling = estimateSampling(grid_, options_.threads);
+    UsedParameters& used = report.used;
+    used.rho = options_.rho > 0.0 ? options_.rho : report.sampling.rho;
+    used.delta = options_.delta > 0.0 ? options_.delta : report.sampling.delta;
+    used.voxel_size = options_.voxel_size > 0.0 ? options_.voxel_size : meanDistance(grid_, options_.threads);
+    used.zone_width = options_.zone_width > 0.0 ? options_.zone_width : 5.0 * used.voxel_size;
+    used.fault_reach = options_.fault_reach > 0.0 ? options_.fault_reach : 6.0 * (used.rho + used.delta);
+    used.flip_angle = options_.flip_angle;
+    used.neighbors = options_.neighbors;
+    used.z_scale = options_.z_scale;
+    used.fit = options_.fit == FitMode::Full ? "full" : options_.fit == FitMode::Normal ? "normal" : "off";
+    used.orientation = options_.orientation == OrientationMethod::SpanningTree ? "mst" : "up";
+    used.z_positive = result_.frame.z_positive == ZPositive::Down ? "down" : "up";
+  }
+
+  void buildFaults(const std::vector<FaultGeometry>& faults) {
+    const double reach = result_.report.used.fault_reach;
+    faults_ = std::make_shared<FaultNetwork>(prepareFaults(faults, result_.frame, reach, result_.report.warnings), reach);
+    result_.local_faults = faults_;
+  }
+
+  double rhoPlusDelta() const { return result_.report.used.rho + result_.report.used.delta; }
+
+  void estimateNormals() {
+    TangentPlaneOptions o;
+    o.neighbors = options_.neighbors;
+    o.rho_plus_delta = rhoPlusDelta();
+    o.threads = options_.threads;
+    planes_ = estimateTangentPlanes(grid_, *faults_, o);
+  }
+
+  void orient() {
+    OrientationOptions o;
+    o.method = options_.orientation;
+    o.rho_plus_delta = rhoPlusDelta();
+    o.threads = options_.threads;
+    orientNormals(grid_, *faults_, o, planes_.normals);
+  }
+
+  SheetMesh extract() {
+    const UsedParameters& used = result_.report.used;
+    SignedDistanceOptions distance;
+    distance.rho_plus_delta = rhoPlusDelta();
+    distance.overhang = used.voxel_size;
+    distance.fault_reach = used.fault_reach;
+    distance.voxel_size = used.voxel_size;
+    distance.blend = options_.smooth ? 4 : 1;
+    ExtractionOptions extraction;
+    extraction.lattice.voxel_size = used.voxel_size;
+    extraction.lattice.origin = latticeOrigin();
+    extraction.flip_angle = options_.flip_angle;
+    extraction.snap = 0.3;
+    extraction.threads = options_.threads;
+    extraction.memory_limit = options_.memory_limit;
+    extraction.progress = options_.progress;
+    const SignedDistance field(grid_, planes_, *faults_, distance);
+    SheetMesh sheets = extractSheets(field, extraction);
+    result_.report.cells = sheets.cells;
+    result_.report.rejected_by_flip_angle = sheets.rejected_by_flip_angle;
+    return sheets;
+  }
+
+  /// The lattice stands still in the user's frame, so that neighbouring jobs of the same voxel size agree.
+  Vector3 latticeOrigin() const {
+    const double h = result_.report.used.voxel_size;
+    const Vector3 zero = result_.frame.toLocal(Vector3::Zero());
+    return zero.unaryExpr([h](double x) { return x - h * std::floor(x / h); });
+  }
+
+  void cut(const SheetMesh& sheets) {
+    FaultCutOptions o;
+    o.tolerance = 0.02 * result_.report.used.voxel_size;
+    o.threads = options_.threads;
+    cut_ = cutSheets(sheets, *faults_, o);
+    result_.report.crumbs_removed = removeCrumbs(cut_, kCrumb);
+  }
+
+  void fit() {
+    const UsedParameters& used = result_.report.used;
+    zone_ = zonePicks(points_, *faults_, used.zone_width);
+    result_.report.zone_before_fit = approximationError(cut_.mesh, points_, zone_, options_.threads);
+    if (options_.fit == FitMode::Off)
+      return;
+    ZoneFitOptions zone;
+    zone.mode = options_.fit;
+    zone.neighbors = options_.neighbors;
+    zone.zone_width = used.zone_width;
+    zone.search_radius = used.fault_reach + 2.0 * rhoPlusDelta();
+    zone.max_step = used.voxel_size;
+    zone.threads = options_.threads;
+    fitZone(cut_, grid_, planes_, *faults_, zone);
+    if (options_.smooth)
+      smooth();
+  }
+
+  void smooth() {
+    const UsedParameters& used = result_.report.used;
+    const LocalFit local(grid_, planes_, *faults_, used.fault_reach + 4.0 * rhoPlusDelta());
+    RefineOptions refinement;
+    refinement.models = chooseModels(local, used.zone_width, options_.threads);
+    refinement.zone_width = used.zone_width;
+    refinement.max_step = used.voxel_size;
+    refinement.threads = options_.threads;
+    refine(cut_, local, refinement);
+  }
+
+  void finish() {
+    computeVertexNormals(cut_.mesh, options_.threads);
+    labelPieces(cut_.mesh);
+    evaluate(cut_, *faults_, points_, zone_, options_.threads, result_.report);
+    result_.pick_piece = piecesOfPicks(cut_, points_, result_.report.used.fault_reach, options_.threads);
+    result_.pick_normals = planes_.normals;
+    for (Vector3& n : result_.pick_normals)
+      n = result_.frame.normalToUser(n);
+    result_.mesh = toUserFrame(cut_.mesh, result_.frame);
+    for (std::size_t f = 0; f < faults_->size(); ++f)
+      result_.faults.push_back(toUserFrame(faults_->fault(f), result_.frame));
+    result_.local_mesh = std::move(cut_.mesh);
+    result_.vertex_faults = std::move(cut_.vertex_faults);
+  }
+
+  const ReconstructionOptions& options_;
+  ReconstructionResult& result_;
+  StageClock clock_;
+  Points points_;
+  NeighborGrid grid_;
+  std::shared_ptr<const FaultNetwork> faults_;
+  TangentPlanes planes_;
+  std::vector<Index> zone_;
+  CutMesh cut_;
+};
+
+} // namespace
+
+HorizonReconstruction::HorizonReconstruction(ReconstructionOptions options) : options_(std::move(options)) {}
+
+ReconstructionResult HorizonReconstruction::reconstruct(const Points& picks, const std::vector<FaultGeometry>& faults) const {
+  checkOptions(options_);
+  ReconstructionResult result;
+  Job(options_, result).run(picks, faults);
+  return result;
+}
+
+} // namespace graben

@@ -1,0 +1,60 @@
+#include "support/horizon_options.h"
+#include "support/results_folder.h"
+#include "support/run.h"
+
+#include <cstdio>
+
+namespace graben {
+namespace {
+
+OptionParser parser() {
+  OptionParser p("graben_reconstruct", "Turns picks on a horizon and the faults that cut it into the faulted horizon: one triangle mesh piece on each "
+                                       "side of each fault, sealed to it.");
+  declareHorizonOptions(p);
+  p.section("Output")
+    .value("output", "SURFACE", "the whole faulted horizon; .ply .vtk .vtp .obj .stl or .ts")
+    .value("results", "DIR", "folder for all that goes with it: pieces, picks, cut faults, report, pictures")
+    .value("report", "FILE.json", "the report alone")
+    .flag("quiet", "say nothing but errors");
+  p.epilog("Example:\n  graben_reconstruct --horizon top.poi --fault F1.pol F2.pol --output top.ply --results results/\n");
+  return p;
+}
+
+void say(const ReconstructionResult& result) {
+  const ReconstructionReport& r = result.report;
+  std::printf("picks      %zu (spacing %.4g, rho %.4g, delta %.4g, noise %.3g), z grows %s\n", r.picks, r.sampling.spacing, r.used.rho, r.used.delta,
+              r.sampling.sigma, r.used.z_positive.c_str());
+  std::printf("surface    %zu triangles in %zu pieces, voxel size %.4g\n", r.topology.triangles, r.topology.components, r.used.voxel_size);
+  std::printf("picks      RMS distance %.4g, 95 %% within %.4g\n", r.all_picks.rms, r.all_picks.p95);
+  for (const FaultReport& f : r.faults)
+    std::printf("fault      %s: %zu vertices on it%s%s\n", f.name.c_str(), f.cut_vertices, f.branches_off.empty() ? "" : ", branches off ",
+                f.branches_off.c_str());
+  if (!r.faults.empty())
+    std::printf("at faults  E %.4g before the fit, %.4g after; %zu bridging triangles; %.1f %% of border vertices on the faults\n",
+                r.zone_before_fit.mean_square, r.zone_after_fit.mean_square, r.bridging_triangles, 100.0 * r.seal.all.share);
+  for (const StageTiming& s : r.stages)
+    std::printf("%-15s %8.3f s\n", s.stage.c_str(), s.seconds);
+}
+
+int reconstruct(const OptionValues& values) {
+  const bool quiet = values.has("quiet");
+  if (!values.has("output") && !values.has("results"))
+    throw UsageError("--output SURFACE is missing: where shall the horizon go?");
+  checkOutputs(values);
+  const HorizonInput input = readHorizonInput(values);
+  for (const std::string& note : input.notes)
+    if (!quiet)
+      std::fprintf(stderr, "note: %s\n", note.c_str());
+  const ReconstructionResult result = HorizonReconstruction(reconstructionOptions(values, input.picks.z_positive)).reconstruct(input.picks.points, input.faults);
+  for (const std::string& warning : result.report.warnings)
+    std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  writeOutputs(values, input, result);
+  if (!quiet)
+    say(result);
+  return 0;
+}
+
+} // namespace
+} // namespace graben
+
+int main(int argc, char** argv) { return graben::runTool(graben::parser(), argc, argv, graben::reconstruct); }

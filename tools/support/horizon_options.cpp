@@ -1,0 +1,88 @@
+#include "support/horizon_options.h"
+
+#include "graben/io/fault_reader.h"
+#include "graben/io/pick_reader.h"
+
+#include <cmath>
+#include <unistd.h>
+
+namespace graben {
+
+namespace {
+
+constexpr double kHuge = 1e12;
+
+std::size_t memoryOfMachine() {
+  const long pages = sysconf(_SC_PHYS_PAGES);
+  const long size = sysconf(_SC_PAGE_SIZE);
+  return pages > 0 && size > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(size) : 0;
+}
+
+FaultGeometry geometryOf(FaultInput&& input) { return {std::move(input.name), std::move(input.geometry), input.z_positive}; }
+
+} // namespace
+
+void declareHorizonOptions(OptionParser& parser) {
+  parser.section("Input")
+    .value("horizon", "PICKS", "picks of the horizon: .xyz .txt .csv .poi .pcd .ply .vs")
+    .list("fault", "FILE", "faults that cut it: surfaces .ts .ply .obj .stl .vtp .vtk or sticks .pol .pl");
+  declareParameterOptions(parser);
+}
+
+void declareParameterOptions(OptionParser& parser) {
+  parser.section("Parameters, in the picks' units; estimated from the picks where not given")
+    .value("voxel-size", "H", "edge of a marching-cubes cell")
+    .value("neighbors", "K", "picks a tangent plane is fitted to", "15")
+    .value("rho", "R", "sampling density: holes wider than about twice this stay open")
+    .value("delta", "D", "largest noise of the picks")
+    .value("flip-angle", "DEG", "triangles turned farther than this from the planes around are left out; 180: none", "60")
+    .value("zone-width", "W", "the zone fitted to the faults reaches this far from them")
+    .value("fault-reach", "D", "farthest the surface is carried on from the last picks to a fault")
+    .value("fit", "MODE", "fit near the faults: full, normal (along the normal only) or off", "full")
+    .value("signed-distance", "MODE", "smooth (averaged over picks of the same side) or nearest (Hoppe's nearest plane)", "smooth")
+    .value("orientation", "MODE", "of the normals: mst (spanning tree) or up", "mst")
+    .value("z-scale", "S", "z is multiplied by this for all distances, as for time in ms against metres", "1")
+    .value("z-positive", "WAY", "up (elevation), down (depth, time) or auto (as the file says)", "auto")
+    .value("threads", "N", "0: one per processor", "0");
+}
+
+HorizonInput readHorizonInput(const OptionValues& values) {
+  if (!values.has("horizon"))
+    throw UsageError("--horizon PICKS is missing: which file holds the picks?");
+  HorizonInput input;
+  ReadOptions read;
+  read.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
+  input.picks = readPicks(values.text("horizon"), read);
+  input.notes = input.picks.notes;
+  for (const std::string& file : values.texts("fault"))
+    for (FaultInput& fault : readFaults(file)) {
+      input.notes.insert(input.notes.end(), fault.notes.begin(), fault.notes.end());
+      input.faults.push_back(geometryOf(std::move(fault)));
+    }
+  return input;
+}
+
+ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositive z_positive) {
+  ReconstructionOptions o;
+  o.voxel_size = values.number("voxel-size", 0.0, kHuge);
+  o.neighbors = static_cast<std::size_t>(values.integer("neighbors", 3, 1000));
+  o.rho = values.number("rho", 0.0, kHuge);
+  o.delta = values.number("delta", 0.0, kHuge);
+  o.flip_angle = values.number("flip-angle", 0.0, 180.0);
+  o.zone_width = values.number("zone-width", 0.0, kHuge);
+  o.fault_reach = values.number("fault-reach", 0.0, kHuge);
+  constexpr FitMode fits[] = {FitMode::Full, FitMode::Normal, FitMode::Off};
+  o.fit = fits[values.choice("fit", {"full", "normal", "off"})];
+  o.smooth = values.choice("signed-distance", {"smooth", "nearest"}) == 0;
+  o.orientation = values.choice("orientation", {"mst", "up"}) == 0 ? OrientationMethod::SpanningTree : OrientationMethod::UpAxis;
+  o.z_scale = values.number("z-scale", 1e-9, 1e9);
+  constexpr ZPositive ways[] = {ZPositive::Unknown, ZPositive::Up, ZPositive::Down};
+  o.z_positive = ways[values.choice("z-positive", {"auto", "up", "down"})];
+  if (o.z_positive == ZPositive::Unknown)
+    o.z_positive = z_positive;
+  o.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
+  o.memory_limit = memoryOfMachine() / 4 * 3;
+  return o;
+}
+
+} // namespace graben

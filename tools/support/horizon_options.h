@@ -1,0 +1,28 @@
+#pragma once
+
+#include "graben/io/pick_set.h"
+#include "graben/pipeline/horizon_reconstruction.h"
+#include "support/options.h"
+
+namespace graben {
+
+/// What a command that reconstructs reads from files.
+struct HorizonInput {
+  PickSet picks;
+  std::vector<FaultGeometry> faults;
+  std::vector<std::string> notes; ///< sentences for the user: what was ignored, dropped or assumed
+};
+
+/// The options of a reconstruction: --horizon, --fault and every parameter of ReconstructionOptions.
+void declareHorizonOptions(OptionParser& parser);
+
+/// The parameters alone, for commands with an input of their own.
+void declareParameterOptions(OptionParser& parser);
+
+HorizonInput readHorizonInput(const OptionValues& values);
+
+/// \param[in] values   a parsed command line
+/// \param[in] z_positive what the picks' file says
+ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositive z_positive);
+
+} // namespace graben

@@ -1,0 +1,135 @@
+#include "support/results_folder.h"
+
+#include "graben/core/errors.h"
+#include "graben/io/atomic_file.h"
+#include "graben/io/mesh_writer.h"
+#include "graben/io/pick_writer.h"
+#include "graben/mesh/components.h"
+#include "graben/visualization/render.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace graben {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+MeshWriteOptions meshOptions(const ReconstructionResult& result, const std::string& name) {
+  MeshWriteOptions o;
+  o.name = name;
+  o.z_positive = result.frame.z_positive;
+  return o;
+}
+
+std::string fileName(std::string name) {
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.')
+      c = '_';
+  return name.empty() ? "fault" : name;
+}
+
+void writePieces(const fs::path& dir, const ReconstructionResult& result) {
+  Components components;
+  components.of_vertex = result.mesh.piece;
+  components = connectedComponents(result.mesh);
+  const std::vector<TriangleMesh> pieces = splitComponents(result.mesh, components);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::string name = "piece_" + std::to_string(i + 1);
+    writeMesh((dir / (name + ".ts")).string(), pieces[i], meshOptions(result, name));
+  }
+}
+
+void writeFaults(const fs::path& dir, const ReconstructionResult& result) {
+  for (std::size_t f = 0; f < result.faults.size(); ++f) {
+    const std::string name = "fault_" + std::to_string(f + 1) + "_" + fileName(result.faults[f].name);
+    writeMesh((dir / (name + ".ts")).string(), result.faults[f].mesh, meshOptions(result, result.faults[f].name));
+  }
+}
+
+/// The picks in the local frame (pcl_viewer draws float32), with normals and piece.
+void writePicks(const fs::path& dir, const HorizonInput& input, const ReconstructionResult& result) {
+  LabelledPoints cloud;
+  for (std::size_t i = 0; i < input.picks.points.size(); ++i) {
+    cloud.points.push_back(input.picks.points[i] - result.frame.origin);
+    cloud.normals.push_back(result.pick_normals[i]);
+    cloud.piece.push_back(std::max<Index>(result.pick_piece[i], 0));
+  }
+  writePcd((dir / "picks.pcd").string(), cloud);
+}
+
+std::vector<std::string> drawPictures(const fs::path& dir, const HorizonInput& input, const ReconstructionResult& result) {
+  const Offscreen screen;
+  if (!screen.available())
+    return {"No pictures: " + screen.reason()};
+  SurfaceScene scene;
+  scene.mesh = &result.mesh;
+  for (const FaultSurface& fault : result.faults)
+    scene.faults.push_back(&fault.mesh);
+  RenderOptions o;
+  o.z_positive = result.frame.z_positive;
+  o.view = View::map();
+  renderSurface(screen, (dir / "map.png").string(), scene, o);
+  o.view = View::oblique();
+  renderSurface(screen, (dir / "oblique.png").string(), scene, o);
+  o.view = View::map();
+  o.color_by = ColorBy::Piece;
+  renderSurface(screen, (dir / "pieces.png").string(), scene, o);
+  (void)input;
+  return {};
+}
+
+void writeText(const fs::path& file, const std::string& text) {
+  AtomicFile out(file.string());
+  out.write(text);
+  out.commit();
+}
+
+} // namespace
+
+void checkOutputs(const OptionValues& values) {
+  if (values.has("output")) {
+    const fs::path path = values.text("output");
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const auto& known = meshWriteExtensions();
+    if (std::find(known.begin(), known.end(), extension) == known.end()) {
+      std::string list;
+      for (const std::string& e : known)
+        list += " " + e;
+      throw UsageError("--output " + path.string() + ": its extension must be one of" + list);
+    }
+    if (!path.parent_path().empty() && !fs::is_directory(path.parent_path()))
+      throw IoError(path.string(), "the folder it should go to does not exist; make it first");
+  }
+}
+
+std::vector<std::string> writeOutputs(const OptionValues& values, const HorizonInput& input, const ReconstructionResult& result) {
+  std::vector<std::string> notes;
+  if (values.has("output"))
+    notes = writeMesh(values.text("output"), result.mesh, meshOptions(result, fs::path(values.text("output")).stem().string()));
+  if (values.has("report"))
+    writeText(values.text("report"), toJson(result.report));
+  if (!values.has("results"))
+    return notes;
+  const fs::path dir = values.text("results");
+  std::error_code error;
+  fs::create_directories(dir, error);
+  if (error)
+    throw IoError(dir.string(), "the folder cannot be made: " + error.message());
+  writeMesh((dir / "surface.ply").string(), result.mesh, meshOptions(result, "surface"));
+  TriangleMesh local = result.mesh;
+  for (Vector3& p : local.vertices)
+    p -= result.frame.origin;
+  writeMesh((dir / "surface.vtk").string(), local, meshOptions(result, "surface"));
+  writePieces(dir, result);
+  writeFaults(dir, result);
+  writePicks(dir, input, result);
+  writeText(dir / "report.json", toJson(result.report));
+  const std::vector<std::string> pictures = drawPictures(dir, input, result);
+  notes.insert(notes.end(), pictures.begin(), pictures.end());
+  return notes;
+}
+
+} // namespace graben
