@@ -20,8 +20,14 @@ NeighborGraph::NeighborGraph(const NeighborGrid& grid, const FaultNetwork& fault
     : grid_(grid)
     , faults_(faults)
     , options_(options)
-    , normals_(normals)
+    , points_(grid.size())
+    , normals_(grid.size())
     , width_(std::max<std::size_t>(options.neighbors, 1)) {
+  parallelFor(grid.size(), GRAIN, options.threads, [&](std::size_t node) {
+    const auto pick = static_cast<std::size_t>(grid.order()[node]);
+    points_[node] = grid.points()[pick];
+    normals_[node] = normals[pick];
+  });
   findNeighbors();
 }
 
@@ -29,7 +35,7 @@ void NeighborGraph::findNeighbors() {
   const std::vector<Index>& order = grid_.order();
   std::vector<Index> position(grid_.points().size(), -1);
   for (std::size_t node = 0; node < order.size(); ++node)
-    if (normal(node).allFinite())
+    if (normals_[node].allFinite())
       position[static_cast<std::size_t>(order[node])] = static_cast<Index>(node);
   const double longest = options_.rho_plus_delta > 0.0 ? options_.rho_plus_delta
                                                        : std::numeric_limits<double>::infinity();
@@ -40,7 +46,7 @@ void NeighborGraph::findNeighbors() {
     for (std::size_t node = begin; node < end; ++node) {
       if (position[static_cast<std::size_t>(order[node])] < 0)
         continue;
-      grid_.nearest(point(node), width_ + 1, found, longest);
+      grid_.nearest(points_[node], width_ + 1, found, longest);
       reach_[node] = found.size() > width_ ? found.back().squared_distance
                                            : std::numeric_limits<double>::infinity();
       std::size_t slot = node * width_;
@@ -57,20 +63,20 @@ void NeighborGraph::dropCrossing(std::size_t node) {
   if (faults_.empty())
     return;
   Bounds box;
-  box.extend(point(node));
+  box.extend(points_[node]);
   for (std::size_t slot = node * width_; slot < (node + 1) * width_; ++slot)
     if (neighbors_[slot] >= 0)
-      box.extend(point(static_cast<std::size_t>(neighbors_[slot])));
+      box.extend(points_[static_cast<std::size_t>(neighbors_[slot])]);
   if (!faults_.mayTouch(box))
     return;
   for (std::size_t slot = node * width_; slot < (node + 1) * width_; ++slot)
     if (neighbors_[slot] >= 0 &&
-        faults_.crosses(point(node), point(static_cast<std::size_t>(neighbors_[slot]))))
+        faults_.crosses(points_[node], points_[static_cast<std::size_t>(neighbors_[slot])]))
       neighbors_[slot] = -1;
 }
 
 float NeighborGraph::weight(std::size_t from, std::size_t to) const {
-  return static_cast<float>(std::max(0.0, 1.0 - std::abs(normal(from).dot(normal(to)))));
+  return static_cast<float>(std::max(0.0, 1.0 - std::abs(normals_[from].dot(normals_[to]))));
 }
 
 std::vector<NeighborGraph::Edge> NeighborGraph::sortedEdges() const {
@@ -83,7 +89,7 @@ std::vector<NeighborGraph::Edge> NeighborGraph::sortedEdges() const {
         continue;
       const std::size_t from = slot / width_;
       const auto to = static_cast<std::size_t>(neighbors_[slot]);
-      if (from > to && (point(from) - point(to)).squaredNorm() < reach_[to])
+      if (from > to && (points_[from] - points_[to]).squaredNorm() < reach_[to])
         continue; // the other end has this edge too
       const float value = weight(from, to);
       std::uint32_t bits = 0;
@@ -98,10 +104,13 @@ std::vector<NeighborGraph::Edge> NeighborGraph::sortedEdges() const {
   }
   radixSort(items, 32, options_.threads);
   std::vector<Edge> edges(items.size());
-  for (std::size_t e = 0; e < items.size(); ++e) {
+  parallelFor(items.size(), GRAIN, options_.threads, [&](std::size_t e) {
     const auto slot = static_cast<std::size_t>(items[e].index);
-    edges[e] = {static_cast<Index>(slot / width_), neighbors_[slot]};
-  }
+    const std::size_t from = slot / width_;
+    const Index to = neighbors_[slot];
+    edges[e] = {static_cast<Index>(from), to,
+                normals_[from].dot(normals_[static_cast<std::size_t>(to)]) < 0.0};
+  });
   return edges;
 }
 

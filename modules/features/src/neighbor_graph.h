@@ -13,6 +13,7 @@ public:
 
   struct Edge {
     Index from, to;
+    bool against; ///< the normals at its ends point to different sides
   };
   /// All edges, those between the most parallel normals first; equals in the order of their nodes.
   std::vector<Edge> sortedEdges() const;
@@ -21,18 +22,10 @@ private:
   void findNeighbors();
   void dropCrossing(std::size_t node);
   float weight(std::size_t from, std::size_t to) const;
-  Index pick(std::size_t node) const { return grid_.order()[node]; }
-  const Vector3& normal(std::size_t node) const {
-    return normals_[static_cast<std::size_t>(pick(node))];
-  }
-  const Vector3& point(std::size_t node) const {
-    return grid_.points()[static_cast<std::size_t>(pick(node))];
-  }
-
   const NeighborGrid& grid_;
   const FaultNetwork& faults_;
   const OrientationOptions& options_;
-  const Points& normals_;
+  Points points_, normals_;      ///< by node
   std::size_t width_;            ///< slots per node
   std::vector<Index> neighbors_; ///< width_ per node, -1 where there is none
   std::vector<double> reach_; ///< squared distance within which all neighbours of a node are known

@@ -52,7 +52,7 @@ OrientationResult orientBySpanningTree(const NeighborGrid& grid, const FaultNetw
   };
   detail::SignedUnionFind sets(order.size());
   for (const auto& edge : detail::NeighborGraph(grid, faults, options, normals).sortedEdges())
-    sets.join(edge.from, edge.to, normalOf(edge.from).dot(normalOf(edge.to)) < 0.0);
+    sets.join(edge.from, edge.to, edge.against);
 
   OrientationResult result;
   result.of_pick.assign(normals.size(), -1);
