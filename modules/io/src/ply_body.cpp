@@ -5,44 +5,10 @@
 #include "graben/core/errors.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 
 namespace graben {
-namespace {
-
-template <typename Number>
-double decode(const char* bytes) {
-  Number value;
-  std::memcpy(&value, bytes, sizeof(value));
-  return static_cast<double>(value);
-}
-
-double decodeAs(PlyType type, const char* bytes) {
-  switch (type) {
-  case PlyType::Int8:
-    return decode<std::int8_t>(bytes);
-  case PlyType::UInt8:
-    return decode<std::uint8_t>(bytes);
-  case PlyType::Int16:
-    return decode<std::int16_t>(bytes);
-  case PlyType::UInt16:
-    return decode<std::uint16_t>(bytes);
-  case PlyType::Int32:
-    return decode<std::int32_t>(bytes);
-  case PlyType::UInt32:
-    return decode<std::uint32_t>(bytes);
-  case PlyType::Float32:
-    return decode<float>(bytes);
-  case PlyType::Float64:
-    break;
-  }
-  return decode<double>(bytes);
-}
-
-} // namespace
-
 void PlyBody::fail(const std::string& message) const {
   throw ParseError(path_, encoding_ == PlyEncoding::Ascii ? line_ : 0, message);
 }
@@ -63,18 +29,15 @@ double PlyBody::nextText() {
   return value;
 }
 
-double PlyBody::next(PlyType type) {
+double PlyBody::next(BinaryType type) {
   if (encoding_ == PlyEncoding::Ascii)
     return nextText();
   const std::size_t size = sizeOf(type);
   if (bytes_.size() - at_ < size)
     fail("the file is cut short");
-  std::array<char, 8> value{};
-  std::memcpy(value.data(), bytes_.data() + at_, size);
+  const double value = decodeValue(bytes_.data() + at_, type, encoding_ == PlyEncoding::BigEndian);
   at_ += size;
-  if (encoding_ == PlyEncoding::BigEndian)
-    std::reverse(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(size));
-  return decodeAs(type, value.data());
+  return value;
 }
 
 std::size_t PlyBody::nextListLength(const PlyProperty& property) {

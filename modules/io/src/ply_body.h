@@ -16,7 +16,7 @@ public:
 
   /// The next value.
   /// \throw ParseError if the file ends or the value is no number
-  double next(PlyType type);
+  double next(BinaryType type);
 
   /// The length of the next list, checked against the rest of the file.
   std::size_t nextListLength(const PlyProperty& property);

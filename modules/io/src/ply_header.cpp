@@ -25,7 +25,7 @@ private:
   [[noreturn]] void fail(const std::string& message) const {
     throw ParseError(path_, reader_.number(), message);
   }
-  PlyType type(std::string_view word) const;
+  BinaryType type(std::string_view word) const;
   void parseFormat();
   void parseElement();
   void parseProperty();
@@ -39,14 +39,16 @@ private:
   bool has_format_ = false;
 };
 
-PlyType PlyHeaderParser::type(std::string_view word) const {
-  static const std::map<std::string_view, PlyType> types = {
-      {"char", PlyType::Int8},      {"int8", PlyType::Int8},       {"uchar", PlyType::UInt8},
-      {"uint8", PlyType::UInt8},    {"short", PlyType::Int16},     {"int16", PlyType::Int16},
-      {"ushort", PlyType::UInt16},  {"uint16", PlyType::UInt16},   {"int", PlyType::Int32},
-      {"int32", PlyType::Int32},    {"uint", PlyType::UInt32},     {"uint32", PlyType::UInt32},
-      {"float", PlyType::Float32},  {"float32", PlyType::Float32}, {"double", PlyType::Float64},
-      {"float64", PlyType::Float64}};
+BinaryType PlyHeaderParser::type(std::string_view word) const {
+  static const std::map<std::string_view, BinaryType> types = {
+      {"char", BinaryType::Int8},      {"int8", BinaryType::Int8},
+      {"uchar", BinaryType::UInt8},    {"uint8", BinaryType::UInt8},
+      {"short", BinaryType::Int16},    {"int16", BinaryType::Int16},
+      {"ushort", BinaryType::UInt16},  {"uint16", BinaryType::UInt16},
+      {"int", BinaryType::Int32},      {"int32", BinaryType::Int32},
+      {"uint", BinaryType::UInt32},    {"uint32", BinaryType::UInt32},
+      {"float", BinaryType::Float32},  {"float32", BinaryType::Float32},
+      {"double", BinaryType::Float64}, {"float64", BinaryType::Float64}};
   const auto found = types.find(word);
   if (found == types.end())
     fail("unknown PLY type '" + std::string(word) + "'");
@@ -137,24 +139,6 @@ PlyHeader PlyHeaderParser::parse() {
 }
 
 } // namespace
-
-std::size_t sizeOf(PlyType type) {
-  switch (type) {
-  case PlyType::Int8:
-  case PlyType::UInt8:
-    return 1;
-  case PlyType::Int16:
-  case PlyType::UInt16:
-    return 2;
-  case PlyType::Int32:
-  case PlyType::UInt32:
-  case PlyType::Float32:
-    return 4;
-  case PlyType::Float64:
-    break;
-  }
-  return 8;
-}
 
 PlyHeader readPlyHeader(std::string_view bytes, const std::string& path) {
   return PlyHeaderParser(bytes, path).parse();

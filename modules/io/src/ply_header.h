@@ -1,5 +1,7 @@
 #pragma once
 
+#include "binary_value.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -8,15 +10,11 @@
 
 namespace graben {
 
-enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
-
-std::size_t sizeOf(PlyType type);
-
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::Float32;
+  BinaryType type = BinaryType::Float32;
   bool is_list = false;
-  PlyType count_type = PlyType::UInt8; ///< of a list
+  BinaryType count_type = BinaryType::UInt8; ///< of a list
 };
 
 struct PlyElement {

@@ -4,17 +4,17 @@
 #include "graben/core/errors.h"
 #include "graben/io/atomic_file.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
-#include <vtkCharArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataReader.h>
 #include <vtkPolyDataWriter.h>
+#include <vtkSmartPointer.h>
 #include <vtkTriangleFilter.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -22,41 +22,71 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <new>
 
 namespace graben {
 namespace {
 
-/// Keeps VTK's first error message instead of printing it.
-class ErrorCatcher {
+/// Keeps what VTK has to complain about instead of printing it. VTK has one place for messages, so
+/// only one thread at a time may be in VTK here.
+class MessageCatcher : public vtkOutputWindow {
 public:
-  ErrorCatcher() {
-    command_->SetClientData(&message_);
-    command_->SetCallback([](vtkObject*, unsigned long, void* client, void* text) {
-      auto& message = *static_cast<std::string*>(client);
-      if (message.empty())
-        message = text == nullptr ? "unknown error" : static_cast<const char*>(text);
-    });
+  static MessageCatcher* New() {
+    auto* catcher = new MessageCatcher;
+    catcher->InitializeObjectBase();
+    return catcher;
   }
-  void watch(vtkObject& object) { object.AddObserver(vtkCommand::ErrorEvent, command_); }
-  vtkCommand* command() const { return command_; }
-  bool caught() const { return !message_.empty(); }
 
-  /// VTK's message without the lines that name its source and object.
+  void DisplayText(const char* text) override {
+    if (text_.empty() && text != nullptr)
+      text_ = text;
+  }
+  void DisplayErrorText(const char* text) override { DisplayText(text); }
+  void DisplayWarningText(const char* text) override { DisplayText(text); }
+  void DisplayGenericWarningText(const char* text) override { DisplayText(text); }
+  void DisplayDebugText(const char*) override {}
+
+  bool caught() const { return !text_.empty(); }
+
+  /// VTK's first message without the parts that name its source and object.
   std::string message() const {
-    std::string text = message_;
-    const std::size_t object = text.find("): ");
-    if (object != std::string::npos)
-      text = text.substr(object + 3);
+    const std::size_t object = text_.find("): ");
+    std::string text = object == std::string::npos ? text_ : text_.substr(object + 3);
     std::replace(text.begin(), text.end(), '\n', ' ');
-    while (!text.empty() && text.back() == ' ')
-      text.pop_back();
+    text.erase(text.find_last_not_of(' ') + 1);
     return text;
   }
 
 private:
-  std::string message_;
-  vtkNew<vtkCallbackCommand> command_;
+  std::string text_;
+};
+
+class CatchMessages {
+public:
+  CatchMessages()
+    : lock_(guard()), former_window_(vtkOutputWindow::GetInstance()),
+      former_verbosity_(vtkLogger::GetCurrentVerbosityCutoff()) {
+    vtkOutputWindow::SetInstance(catcher_);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  }
+  ~CatchMessages() {
+    vtkOutputWindow::SetInstance(former_window_);
+    vtkLogger::SetStderrVerbosity(former_verbosity_);
+  }
+  CatchMessages(const CatchMessages&) = delete;
+  CatchMessages& operator=(const CatchMessages&) = delete;
+  const MessageCatcher* operator->() const { return catcher_; }
+
+private:
+  static std::mutex& guard() {
+    static std::mutex mutex;
+    return mutex;
+  }
+  std::lock_guard<std::mutex> lock_;
+  vtkSmartPointer<vtkOutputWindow> former_window_;
+  vtkLogger::Verbosity former_verbosity_;
+  vtkNew<MessageCatcher> catcher_;
 };
 
 Vector3 tupleOf(vtkDataArray& array, vtkIdType i) {
@@ -138,19 +168,6 @@ MeshInput meshOf(vtkPolyData& data, const std::string& path) {
   return input;
 }
 
-/// Runs a VTK reader; its errors become a ParseError.
-template <typename Reader>
-MeshInput runReader(Reader& reader, const ErrorCatcher& errors, const std::string& path) {
-  try {
-    reader.Update();
-  } catch (const std::bad_alloc&) {
-    throw ParseError(path, 0, "the file promises more data than memory can hold");
-  }
-  if (errors.caught())
-    throw ParseError(path, 0, "cannot be read as VTK polygons: " + errors.message());
-  return meshOf(*reader.GetOutput(), path);
-}
-
 vtkNew<vtkPolyData> polyDataOf(const TriangleMesh& mesh) {
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);
@@ -203,43 +220,29 @@ void runWriter(Writer& writer, const std::string& path, const TriangleMesh& mesh
   const vtkNew<vtkPolyData> data = polyDataOf(mesh);
   addPointData(mesh, *data->GetPointData());
   AtomicFile file(path);
-  ErrorCatcher errors;
-  errors.watch(writer);
+  const CatchMessages messages;
   writer.SetInputData(data);
   writer.SetFileName(file.temporaryPath().c_str());
   if (writer.Write() == 0 || writer.GetErrorCode() != 0)
-    throw IoError(path,
-                  "cannot be written: " + (errors.caught() ? errors.message() : "disk full?"));
+    throw IoError(path, "cannot be written: " + messages->message());
   file.commit();
 }
 
 } // namespace
 
-MeshInput readVtkMesh(std::string_view bytes, const std::string& path) {
-  vtkNew<vtkCharArray> text;
-  // VTK does not write to the array.
-  text->SetArray(const_cast<char*>(bytes.data()), static_cast<vtkIdType>(bytes.size()), 1);
-  vtkNew<vtkPolyDataReader> reader;
-  ErrorCatcher errors;
-  errors.watch(*reader);
-  reader->ReadFromInputStringOn();
-  reader->SetInputArray(text);
-  reader->ReadAllScalarsOn();
-  reader->ReadAllNormalsOn();
-  if (reader->IsFilePolyData() == 0)
-    throw ParseError(path, 0, "is no legacy VTK file with DATASET POLYDATA");
-  return runReader(*reader, errors, path);
-}
-
 MeshInput readVtpMesh(std::string_view bytes, const std::string& path) {
+  const CatchMessages messages;
   vtkNew<vtkXMLPolyDataReader> reader;
-  ErrorCatcher errors;
-  errors.watch(*reader);
-  reader->SetReaderErrorObserver(errors.command());
-  reader->SetParserErrorObserver(errors.command());
   reader->ReadFromInputStringOn();
   reader->SetInputString(std::string(bytes));
-  return runReader(*reader, errors, path);
+  try {
+    reader->Update();
+  } catch (const std::bad_alloc&) {
+    throw ParseError(path, 0, "the file promises more data than memory can hold");
+  }
+  if (messages->caught() || reader->GetErrorCode() != 0)
+    throw ParseError(path, 0, "cannot be read as VTK polygons: " + messages->message());
+  return meshOf(*reader->GetOutput(), path);
 }
 
 void writeVtkMesh(const std::string& path, const TriangleMesh& mesh,

@@ -1,0 +1,91 @@
+#include "graben/core/errors.h"
+#include "graben/io/mesh_reader.h"
+#include "graben/io/mesh_writer.h"
+#include "graben/io/pick_reader.h"
+#include "sample_mesh.h"
+#include "temp_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace graben {
+namespace {
+
+using test::contentOf;
+using test::sampleMesh;
+using test::TempFolder;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+template <typename Number>
+std::string bigEndian(Number value) {
+  std::string bytes(sizeof(value), '\0');
+  std::memcpy(bytes.data(), &value, sizeof(value));
+  std::reverse(bytes.begin(), bytes.end());
+  return bytes;
+}
+
+TEST(PlyWriter, writesAPlainHeader) {
+  const TempFolder folder;
+  writeMesh(folder.path("a.ply"), sampleMesh());
+  EXPECT_THAT(
+      contentOf(folder.path("a.ply")),
+      StartsWith("ply\nformat binary_little_endian 1.0\nelement vertex 8\n"
+                 "property double x\nproperty double y\nproperty double z\n"
+                 "property float nx\nproperty float ny\nproperty float nz\nproperty int piece\n"
+                 "property float error\nproperty float throw\nelement face 4\n"
+                 "property list uchar int vertex_indices\nend_header\n"));
+}
+
+TEST(PlyWriter, keepsHeadersReadableWhateverTheScalarsAreCalled) {
+  const TempFolder folder;
+  TriangleMesh mesh = sampleMesh();
+  mesh.scalars = {{"x", std::vector<float>(8, 1)}, {"dip slip", std::vector<float>(8, 2)}};
+  writeMesh(folder.path("a.ply"), mesh);
+  const TriangleMesh read = readMesh(folder.path("a.ply"));
+  EXPECT_EQ(read.vertices, mesh.vertices);
+  EXPECT_EQ(read.scalars.at("scalar_x")[0], 1.0F);
+  EXPECT_EQ(read.scalars.at("dip_slip")[0], 2.0F);
+}
+
+TEST(PlyReader, readsAnyOrderTypeAndList) {
+  const TempFolder folder;
+  const std::string path = folder.write(
+      "a.ply",
+      "ply\r\nformat ascii 1.0\r\ncomment made by hand\r\nelement camera 1\r\nproperty float "
+      "view\r\n"
+      "element vertex 4\r\nproperty uchar red\r\nproperty double z\r\nproperty list uchar int "
+      "seen\r\n"
+      "property short y\r\nproperty float x\r\nelement face 1\r\n"
+      "property list uchar uint vertex_index\r\nproperty int flags\r\nend_header\r\n"
+      "0.5\r\n255 1658.767822 2 7 7 -2 1.5\r\n255 1 0 2 3\r\n255 4 1 9 5 6\r\n255 4 0 5 7\r\n"
+      "4 0 1 2 3 0\r\n");
+  const auto meshes = readMeshes(path);
+  EXPECT_EQ(meshes[0].mesh.vertices[0], Vector3(1.5, -2, 1658.767822));
+  EXPECT_EQ(meshes[0].mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(meshes[0].mesh.scalars.at("red")[3], 255.0F);
+  EXPECT_THAT(meshes[0].notes, Contains(HasSubstr("1 polygons split")));
+  const PickSet picks = readPicks(path);
+  EXPECT_EQ(picks.points.size(), 4U);
+  EXPECT_THAT(picks.notes, Contains(HasSubstr("red, seen")));
+}
+
+TEST(PlyReader, readsBigEndianPointsWithNormals) {
+  const TempFolder folder;
+  std::string content =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty double x\n"
+      "property double y\nproperty float z\nproperty float nx\nproperty float ny\n"
+      "property float nz\nend_header\n";
+  content += bigEndian(460288.234863) + bigEndian(5933079.866211) + bigEndian(1.5F) +
+             bigEndian(0.0F) + bigEndian(0.0F) + bigEndian(1.0F);
+  const PickSet picks = readPicks(folder.write("a.ply", content));
+  EXPECT_EQ(picks.points, (Points{{460288.234863, 5933079.866211, 1.5}}));
+  EXPECT_EQ(picks.normals, (Points{{0, 0, 1}}));
+}
+
+} // namespace
+} // namespace graben
