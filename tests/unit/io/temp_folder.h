@@ -22,6 +22,8 @@ public:
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
   std::string write(const std::string& name, const std::string& content) const {
+    // A new file each time: some file systems flush a file that is overwritten.
+    std::filesystem::remove(path(name));
     std::ofstream(path(name), std::ios::binary) << content;
     return path(name);
   }
