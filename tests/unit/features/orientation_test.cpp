@@ -128,17 +128,17 @@ TEST(Orientation, PicksWithoutNormalStayOut) {
   EXPECT_EQ(result.of_pick[8], 0);
 }
 
-TEST(Orientation, TheTreeTakesTheEdgesOfLeastTurn) {
-  // A ridge sharper than 90 degrees: sums of normals tell nothing there, the tree must go around by
-  // its rounded end.
+TEST(Orientation, TheTreeGoesAroundASharpRidge) {
+  // A roof that steepens from flat to a ridge where normals turn by more than 90 degrees: straight
+  // across it signs come out wrong.
   Points points, normals;
-  for (int i = 0; i < 200; ++i) {
-    const double angle = 3.5 * i / 199.0 - 1.75;
-    for (int j = 0; j < 5; ++j) {
-      points.emplace_back(std::sin(angle), 0.05 * j, std::cos(angle));
-      normals.emplace_back(std::sin(angle), 0.0, std::cos(angle));
+  for (int j = 0; j < 60; ++j)
+    for (int i = 0; i < 40; ++i) {
+      const double x = i - 19.5, steepness = j / 30.0;
+      points.emplace_back(x, j, -steepness * std::abs(x));
+      normals.push_back(
+          Vector3(x < 0.0 ? -steepness : steepness, std::abs(x) / 30.0, 1.0).normalized());
     }
-  }
   const Points truth = normals;
   scramble(normals);
   const NeighborGrid grid(points);
