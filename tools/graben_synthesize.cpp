@@ -17,8 +17,10 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 OptionParser makeParser() {
-  OptionParser parser("graben_synthesize", "Makes an analytic faulted horizon: picks, faults and the exact truth. Lengths are in x, y "
-                                           "units; places are relative to the centre of the area.");
+  OptionParser parser(
+      "graben_synthesize",
+      "Makes an analytic faulted horizon: picks, faults and the exact truth. Lengths are in x, y "
+      "units; places are relative to the centre of the area.");
   parser.section("Output")
       .value("output", "DIR", "folder for the files (required); made if it is not there")
       .value("format", "NAME", "of the picks: " + joined(kFormats), "xyz")
@@ -50,22 +52,28 @@ OptionParser makeParser() {
       .value("bend", "DEG", "change of dip over 300 m of height (0; listric 8)")
       .value("waviness", "A", "amplitude of undulation along strike (0; listric 40)")
       .value("fault-distance", "D", "between the faults of conjugate, parallel and relay")
-      .value("overhang", "A[,B]", "how far faults go above and below the horizon; negative: they stop short (150)")
-      .value("strike-overhang", "D", "how far faults go beyond the area; negative: they stop short (300)")
+      .value("overhang", "A[,B]",
+             "how far faults go above and below the horizon; negative: they stop short (150)")
+      .value("strike-overhang", "D",
+             "how far faults go beyond the area; negative: they stop short (300)")
       .value("fault-mesh-size", "H", "edge length of the fault meshes (100)")
       .value("fault-shift", "D", "horizontal error of the faults written (0)")
-      .value("branch-gap", "D", "how far the fault of kind branch stops short of the one it ends at (0)")
+      .value("branch-gap", "D",
+             "how far the fault of kind branch stops short of the one it ends at (0)")
       .value("stick-spacing", "D", "between sticks along strike (250)")
       .value("stick-points", "N", "points of a stick (5)");
-  parser.section("Running").value("threads", "N", "0: one per processor; the files are the same for every number", "0");
-  parser.epilog("Example: graben_synthesize --output sample --kind tip --origin 461000,5931000,1700 --z-positive down");
+  parser.section("Running").value(
+      "threads", "N", "0: one per processor; the files are the same for every number", "0");
+  parser.epilog("Example: graben_synthesize --output sample --kind tip --origin "
+                "461000,5931000,1700 --z-positive down");
   return parser;
 }
 
 void readFrame(const OptionValues& values, SyntheticOptions& o) {
   const std::vector<double> origin = values.numbers("origin", 3);
   o.frame.origin = Vector3(origin[0], origin[1], origin[2]);
-  o.frame.z_positive = values.choice("z-positive", {"up", "down"}) == 1 ? ZPositive::Down : ZPositive::Up;
+  o.frame.z_positive =
+      values.choice("z-positive", {"up", "down"}) == 1 ? ZPositive::Down : ZPositive::Up;
   o.frame.z_scale = values.number("z-scale", 1e-9, 1e9);
   o.z_unit = values.text("z-unit");
 }
@@ -82,7 +90,8 @@ void readPlaces(const OptionValues& values, SyntheticOptions& o) {
 }
 
 SyntheticOptions readOptions(const OptionValues& values) {
-  SyntheticOptions o = SyntheticOptions::of(static_cast<SyntheticKind>(values.choice("kind", syntheticKindNames())));
+  SyntheticOptions o =
+      SyntheticOptions::of(static_cast<SyntheticKind>(values.choice("kind", syntheticKindNames())));
   const auto number = [&values](const std::string& name, double& into) {
     if (values.has(name))
       into = values.number(name);
@@ -134,12 +143,14 @@ int synthesize(const OptionValues& values) {
   const SyntheticModel model(options);
   const std::vector<std::string> files = writeSyntheticFolder(model, values.text("output"), write);
   if (!values.has("quiet"))
-    std::cout << "Wrote " << options.picks << " picks of " << model.blockCount() << " block(s), " << model.faultCount()
-              << " fault(s) and " << files.size() << " files to " << values.text("output")
-              << "; README.txt there says what is what.\n";
+    std::cout << "Wrote " << options.picks << " picks of " << model.blockCount() << " block(s), "
+              << model.faultCount() << " fault(s) and " << files.size() << " files to "
+              << values.text("output") << "; README.txt there says what is what.\n";
   return 0;
 }
 
 } // namespace
 
-int main(int argc, char** argv) { return graben::runTool(makeParser(), argc, argv, synthesize); }
+int main(int argc, char** argv) {
+  return graben::runTool(makeParser(), argc, argv, synthesize);
+}

@@ -12,7 +12,8 @@ std::string shown(double value) {
   return std::string(buffer, end.ptr);
 }
 
-[[noreturn]] void reject(const std::string& name, const std::string& text, const std::string& wanted) {
+[[noreturn]] void reject(const std::string& name, const std::string& text,
+                         const std::string& wanted) {
   throw UsageError("option --" + name + ": '" + text + "' is not " + wanted);
 }
 
@@ -28,7 +29,8 @@ double parseNumber(const std::string& name, const std::string& text) {
   return value;
 }
 
-std::vector<double> parseNumbers(const std::string& name, const std::string& text, std::size_t count) {
+std::vector<double> parseNumbers(const std::string& name, const std::string& text,
+                                 std::size_t count) {
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
@@ -49,7 +51,9 @@ const OptionValues::Entry& OptionValues::entry(const std::string& name) const {
   return found->second;
 }
 
-bool OptionValues::has(const std::string& name) const { return entry(name).given; }
+bool OptionValues::has(const std::string& name) const {
+  return entry(name).given;
+}
 
 const std::string& OptionValues::text(const std::string& name) const {
   static const std::string none;
@@ -57,7 +61,9 @@ const std::string& OptionValues::text(const std::string& name) const {
   return e.values.empty() ? none : e.values.front();
 }
 
-const std::vector<std::string>& OptionValues::texts(const std::string& name) const { return entry(name).values; }
+const std::vector<std::string>& OptionValues::texts(const std::string& name) const {
+  return entry(name).values;
+}
 
 double OptionValues::number(const std::string& name, double low, double high) const {
   const Entry& e = entry(name);
@@ -75,7 +81,8 @@ double OptionValues::number(const std::string& name, double low, double high) co
 }
 
 long long OptionValues::integer(const std::string& name, long long low, long long high) const {
-  constexpr double kExact = 9007199254740992.0; // 2^53, the largest range in which every whole number is a double
+  constexpr double kExact =
+      9007199254740992.0; // 2^53, the largest range in which every whole number is a double
   const double value = number(name, std::max(static_cast<double>(low), -kExact),
                               std::min(static_cast<double>(high), kExact));
   if (value != std::floor(value))
@@ -88,14 +95,16 @@ std::vector<double> OptionValues::numbers(const std::string& name, std::size_t c
   return e.values.empty() ? std::vector<double>() : parseNumbers(name, e.values.front(), count);
 }
 
-std::vector<std::vector<double>> OptionValues::numberLists(const std::string& name, std::size_t count) const {
+std::vector<std::vector<double>> OptionValues::numberLists(const std::string& name,
+                                                           std::size_t count) const {
   std::vector<std::vector<double>> lists;
   for (const std::string& value : entry(name).values)
     lists.push_back(parseNumbers(name, value, count));
   return lists;
 }
 
-std::size_t OptionValues::choice(const std::string& name, const std::vector<std::string>& allowed) const {
+std::size_t OptionValues::choice(const std::string& name,
+                                 const std::vector<std::string>& allowed) const {
   std::string listed;
   for (std::size_t i = 0; i < allowed.size(); ++i) {
     if (allowed[i] == text(name))

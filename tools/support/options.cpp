@@ -29,7 +29,8 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 std::string trimmed(const std::string& text) {
   const char* blanks = " \t\r\n";
   const std::size_t begin = text.find_first_not_of(blanks);
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+  return begin == std::string::npos ? ""
+                                    : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
 std::vector<std::string> splitWords(const std::string& text) {
@@ -38,7 +39,8 @@ std::vector<std::string> splitWords(const std::string& text) {
   while ((i = text.find_first_not_of(" \t", i)) != std::string::npos) {
     const bool quoted = text[i] == '"';
     const std::size_t begin = quoted ? i + 1 : i;
-    const std::size_t end = std::min(quoted ? text.find('"', begin) : text.find_first_of(" \t", begin), text.size());
+    const std::size_t end =
+        std::min(quoted ? text.find('"', begin) : text.find_first_of(" \t", begin), text.size());
     words.push_back(text.substr(begin, end - begin));
     i = end + (quoted && end < text.size() ? 1 : 0);
   }
@@ -50,15 +52,19 @@ std::string unquoted(const std::string& text) {
   return quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-bool isLongOption(const std::string& word) { return word.rfind("--", 0) == 0; }
+bool isLongOption(const std::string& word) {
+  return word.rfind("--", 0) == 0;
+}
 
 /// A word such as -x; a lone dash or a negative number is none.
 bool isShortOption(const std::string& word) {
-  return word.size() > 1 && word[0] == '-' && word[1] != '-' && word[1] != '.' && (word[1] < '0' || word[1] > '9');
+  return word.size() > 1 && word[0] == '-' && word[1] != '-' && word[1] != '.' &&
+         (word[1] < '0' || word[1] > '9');
 }
 
 /// Appends text to out in lines of at most 100 columns, all but the first indented.
-void appendWrapped(std::string& out, const std::string& text, std::size_t indent, std::size_t column) {
+void appendWrapped(std::string& out, const std::string& text, std::size_t indent,
+                   std::size_t column) {
   std::istringstream words(text);
   for (std::string word; words >> word;) {
     if (column > indent && column + 1 + word.size() > 100) {
@@ -77,7 +83,8 @@ void appendWrapped(std::string& out, const std::string& text, std::size_t indent
 } // namespace
 
 OptionParser::OptionParser(std::string tool, std::string summary)
-    : tool_(std::move(tool)), summary_(std::move(summary)) {
+    : tool_(std::move(tool))
+    , summary_(std::move(summary)) {
   current_section_ = "General";
   value("config", "FILE", "read options from 'key = value' lines; the command line wins");
   flag("help", "show this text");
@@ -103,17 +110,18 @@ OptionParser& OptionParser::flag(const std::string& name, const std::string& hel
   return declare({name, "", help, "", "", Kind::Flag});
 }
 
-OptionParser& OptionParser::value(const std::string& name, const std::string& placeholder, const std::string& help,
-                                  const std::string& default_value) {
+OptionParser& OptionParser::value(const std::string& name, const std::string& placeholder,
+                                  const std::string& help, const std::string& default_value) {
   return declare({name, placeholder, help, default_value, "", Kind::Value});
 }
 
-OptionParser& OptionParser::list(const std::string& name, const std::string& placeholder, const std::string& help) {
+OptionParser& OptionParser::list(const std::string& name, const std::string& placeholder,
+                                 const std::string& help) {
   return declare({name, placeholder, help, "", "", Kind::List});
 }
 
-OptionParser& OptionParser::positionals(const std::string& placeholder, const std::string& help, std::size_t least,
-                                        std::size_t most) {
+OptionParser& OptionParser::positionals(const std::string& placeholder, const std::string& help,
+                                        std::size_t least, std::size_t most) {
   positional_placeholder_ = placeholder;
   positional_help_ = help;
   least_positionals_ = least;
@@ -126,7 +134,8 @@ OptionParser& OptionParser::epilog(const std::string& text) {
   return *this;
 }
 
-const OptionParser::Option& OptionParser::find(const std::string& name, const std::string& where) const {
+const OptionParser::Option& OptionParser::find(const std::string& name,
+                                               const std::string& where) const {
   const Option* nearest = nullptr;
   std::size_t nearest_distance = 0;
   for (const Option& option : options_) {
@@ -145,8 +154,8 @@ const OptionParser::Option& OptionParser::find(const std::string& name, const st
   throw UsageError(message);
 }
 
-void OptionParser::take(const Option& option, const std::vector<std::string>& values, OptionValues& into,
-                        const std::string& where) const {
+void OptionParser::take(const Option& option, const std::vector<std::string>& values,
+                        OptionValues& into, const std::string& where) const {
   OptionValues::Entry& entry = into.entries_[option.name];
   if (option.kind == Kind::Value && entry.given)
     throw UsageError(where + "option --" + option.name + " is given twice");
@@ -175,7 +184,8 @@ OptionValues OptionParser::parseArguments(const std::vector<std::string>& argume
     if (!isLongOption(word))
       throw UsageError("unknown option " + word + "; options start with two dashes");
     const std::size_t equals = word.find('=');
-    const Option& option = find(word.substr(2, equals == std::string::npos ? equals : equals - 2), "");
+    const Option& option =
+        find(word.substr(2, equals == std::string::npos ? equals : equals - 2), "");
     std::vector<std::string> values;
     if (equals != std::string::npos)
       values.push_back(word.substr(equals + 1));
@@ -218,8 +228,10 @@ void OptionParser::readConfig(const std::string& file, OptionValues& into) const
       if (yes)
         take(option, {}, into, where);
     } else {
-      take(option, option.kind == Kind::List ? splitWords(value) : std::vector<std::string>{unquoted(value)}, into,
-           where);
+      take(option,
+           option.kind == Kind::List ? splitWords(value)
+                                     : std::vector<std::string>{unquoted(value)},
+           into, where);
     }
   }
   if (in.bad())
@@ -257,7 +269,9 @@ OptionValues OptionParser::parse(const std::vector<std::string>& arguments) cons
   return values;
 }
 
-std::string OptionParser::versionText() const { return tool_ + " " + GRABEN_VERSION + "\n"; }
+std::string OptionParser::versionText() const {
+  return tool_ + " " + GRABEN_VERSION + "\n";
+}
 
 std::string OptionParser::helpText() const {
   constexpr std::size_t kColumn = 30;
@@ -268,11 +282,13 @@ std::string OptionParser::helpText() const {
   appendWrapped(out, summary_, 0, 0);
   if (most_positionals_ > 0) {
     out += "\n  " + positional_placeholder_ + "  ";
-    appendWrapped(out, positional_help_, positional_placeholder_.size() + 4, positional_placeholder_.size() + 4);
+    appendWrapped(out, positional_help_, positional_placeholder_.size() + 4,
+                  positional_placeholder_.size() + 4);
   }
   std::vector<std::string> sections;
   for (const Option& option : options_)
-    if (option.section != "General" && std::find(sections.begin(), sections.end(), option.section) == sections.end())
+    if (option.section != "General" &&
+        std::find(sections.begin(), sections.end(), option.section) == sections.end())
       sections.push_back(option.section);
   sections.push_back("General");
   for (const std::string& section : sections) {
@@ -283,9 +299,11 @@ std::string OptionParser::helpText() const {
       std::string left = "  --" + option.name;
       if (option.kind != Kind::Flag)
         left += " " + option.placeholder + (option.kind == Kind::List ? " ..." : "");
-      left += left.size() + 2 > kColumn ? "\n" + std::string(kColumn, ' ') : std::string(kColumn - left.size(), ' ');
+      left += left.size() + 2 > kColumn ? "\n" + std::string(kColumn, ' ')
+                                        : std::string(kColumn - left.size(), ' ');
       out += left;
-      const std::string preset = option.default_value.empty() ? "" : " (default " + option.default_value + ")";
+      const std::string preset =
+          option.default_value.empty() ? "" : " (default " + option.default_value + ")";
       appendWrapped(out, option.help + preset, kColumn, kColumn);
     }
   }

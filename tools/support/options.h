@@ -9,13 +9,15 @@
 
 namespace graben {
 
-/// Wrong use of a command line: unknown option, missing or bad value. runTool turns it into exit code 2.
+/// Wrong use of a command line: unknown option, missing or bad value. runTool turns it into exit
+/// code 2.
 class UsageError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/// What was given on the command line and in the configuration file, read by option name (without dashes).
+/// What was given on the command line and in the configuration file, read by option name (without
+/// dashes).
 ///
 /// Reading a name that was not declared is a mistake in the tool and throws std::logic_error.
 class OptionValues {
@@ -23,7 +25,8 @@ public:
   /// True if the option was given; defaults do not count.
   bool has(const std::string& name) const;
 
-  /// The value given, or the declared default; empty if there is neither. For a list: its first value.
+  /// The value given, or the declared default; empty if there is neither. For a list: its first
+  /// value.
   const std::string& text(const std::string& name) const;
 
   /// All values of an option in the order given.
@@ -42,7 +45,8 @@ public:
   std::vector<double> numbers(const std::string& name, std::size_t count = 0) const;
 
   /// The same for each value of a repeated option.
-  std::vector<std::vector<double>> numberLists(const std::string& name, std::size_t count = 0) const;
+  std::vector<std::vector<double>> numberLists(const std::string& name,
+                                               std::size_t count = 0) const;
 
   /// The index of the value among \a allowed. \throw UsageError listing them if it is none of them
   std::size_t choice(const std::string& name, const std::vector<std::string>& allowed) const;
@@ -63,11 +67,12 @@ private:
 
 /// A strict parser for the graben commands: long options only, each declared with its help text.
 ///
-/// "--name value" and "--name=value" are the same. A list option takes one value or more, up to the next word that starts
-/// with two dashes, and may be repeated, so that --fault A --fault B and --fault A B do the same. An option that is no list may be given
-/// once. "--" ends the options. Every parser knows --help, --version and --config FILE; a configuration file has "key = value" lines
-/// with the same names, "#" comments, yes/no or true/false for flags, and blanks between a list's values ("..." holds blanks).
-/// Options on the command line replace those of the file.
+/// "--name value" and "--name=value" are the same. A list option takes one value or more, up to the
+/// next word that starts with two dashes, and may be repeated, so that --fault A --fault B and
+/// --fault A B do the same. An option that is no list may be given once. "--" ends the options.
+/// Every parser knows --help, --version and --config FILE; a configuration file has "key = value"
+/// lines with the same names, "#" comments, yes/no or true/false for flags, and blanks between a
+/// list's values ("..." holds blanks). Options on the command line replace those of the file.
 class OptionParser {
 public:
   /// \param[in] tool    the command's name
@@ -83,15 +88,16 @@ public:
   /// An option with one value.
   /// \param[in] placeholder what the help shows for the value, for example "FILE"
   /// \param[in] default_value what text() and number() return if it is not given; shown in the help
-  OptionParser& value(const std::string& name, const std::string& placeholder, const std::string& help,
-                      const std::string& default_value = "");
+  OptionParser& value(const std::string& name, const std::string& placeholder,
+                      const std::string& help, const std::string& default_value = "");
 
   /// An option with one value or more that may be repeated.
-  OptionParser& list(const std::string& name, const std::string& placeholder, const std::string& help);
+  OptionParser& list(const std::string& name, const std::string& placeholder,
+                     const std::string& help);
 
   /// Allows between \a least and \a most words that belong to no option.
-  OptionParser& positionals(const std::string& placeholder, const std::string& help, std::size_t least,
-                            std::size_t most);
+  OptionParser& positionals(const std::string& placeholder, const std::string& help,
+                            std::size_t least, std::size_t most);
 
   /// Text after the options in the help, for examples.
   OptionParser& epilog(const std::string& text);

@@ -17,7 +17,8 @@ int complain(const std::string& tool, const std::string& message, int code) {
 int runTool(const OptionParser& parser, int argc, const char* const* argv,
             const std::function<int(const OptionValues&)>& body) {
   try {
-    const OptionValues values = parser.parse(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
+    const OptionValues values =
+        parser.parse(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
     if (values.has("help")) {
       std::cout << parser.helpText();
       return 0;
@@ -28,7 +29,8 @@ int runTool(const OptionParser& parser, int argc, const char* const* argv,
     }
     return body(values);
   } catch (const UsageError& error) {
-    return complain(parser.tool(), std::string(error.what()) + " (see " + parser.tool() + " --help)", 2);
+    return complain(parser.tool(),
+                    std::string(error.what()) + " (see " + parser.tool() + " --help)", 2);
   } catch (const std::bad_alloc&) {
     return complain(parser.tool(), "out of memory", 1);
   } catch (const std::exception& error) {

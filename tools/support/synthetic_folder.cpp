@@ -25,17 +25,21 @@ std::string shown(double value) {
 
 std::string pcdHeader(std::size_t count) {
   const std::string n = std::to_string(count);
-  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z label\nSIZE 8 8 8 4\nTYPE F F F U\n"
-         "COUNT 1 1 1 1\nWIDTH " + n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n + "\nDATA binary\n";
+  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z label\nSIZE 8 8 8 "
+         "4\nTYPE F F F U\n"
+         "COUNT 1 1 1 1\nWIDTH " +
+         n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n + "\nDATA binary\n";
 }
 
 std::string plyHeader(std::size_t count) {
   return "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(count) +
-         "\nproperty double x\nproperty double y\nproperty double z\nproperty uint label\nend_header\n";
+         "\nproperty double x\nproperty double y\nproperty double z\nproperty uint "
+         "label\nend_header\n";
 }
 
 /// Rows of x y z as double and the block as a 32 bit label.
-void writeBinaryPicks(const std::string& path, const std::string& header, const SyntheticPicks& picks) {
+void writeBinaryPicks(const std::string& path, const std::string& header,
+                      const SyntheticPicks& picks) {
   AtomicFile file(path);
   file.write(header);
   for (std::size_t i = 0; i < picks.points.size(); ++i) {
@@ -48,8 +52,12 @@ void writeBinaryPicks(const std::string& path, const std::string& header, const 
 
 class FolderWriter {
 public:
-  FolderWriter(const SyntheticModel& model, const std::string& folder, const SyntheticFolderOptions& options)
-      : model_(model), o_(model.options()), folder_(folder), options_(options) {}
+  FolderWriter(const SyntheticModel& model, const std::string& folder,
+               const SyntheticFolderOptions& options)
+      : model_(model)
+      , o_(model.options())
+      , folder_(folder)
+      , options_(options) {}
 
   std::vector<std::string> write() {
     prepareFolder();
@@ -75,8 +83,9 @@ private:
       throw IoError(folder_.string(), "cannot make this folder");
     if (!fs::exists(folder_ / "synthetic.json"))
       return;
-    const std::regex numbered(R"((horizon\.(xyz|poi|pcd|ply))|(fault_\d+\.(ts|pol))|(truth_block_\d+\.ts)|)"
-                              R"((truth\.ply)|(cutoff_fault_\d+_(footwall|hangingwall)\.pol))");
+    const std::regex numbered(
+        R"((horizon\.(xyz|poi|pcd|ply))|(fault_\d+\.(ts|pol))|(truth_block_\d+\.ts)|)"
+        R"((truth\.ply)|(cutoff_fault_\d+_(footwall|hangingwall)\.pol))");
     std::vector<fs::path> former;
     for (const auto& entry : fs::directory_iterator(folder_))
       if (std::regex_match(entry.path().filename().string(), numbered))
@@ -94,8 +103,9 @@ private:
       writeBinaryPicks(path, plyHeader(picks.points.size()), picks);
     else {
       const double unit = std::pow(10.0, options_.decimals);
-      parallelFor(picks.points.size(), 65536, options_.threads,
-                  [&](std::size_t i) { picks.points[i] = (picks.points[i] * unit).array().round() / unit; });
+      parallelFor(picks.points.size(), 65536, options_.threads, [&](std::size_t i) {
+        picks.points[i] = (picks.points[i] * unit).array().round() / unit;
+      });
       writeXyz(path, picks.points);
     }
   }
@@ -149,19 +159,25 @@ private:
   }
 
   void writeReadme() {
-    std::string text = "A synthetic faulted horizon with its exact truth, made by graben_synthesize.\n"
-                       "Kind " + kind() + ", " + std::to_string(o_.picks) + " picks, spacing about " + shown(std::round(10.0 * o_.spacing()) / 10.0) +
-                       ", noise sigma " + shown(o_.noise) + " (vertical, x, y units), seed " + std::to_string(o_.seed) + ".\n\n" +
-                       "horizon." + options_.format + "  the picks\n";
+    std::string text =
+        "A synthetic faulted horizon with its exact truth, made by graben_synthesize.\n"
+        "Kind " +
+        kind() + ", " + std::to_string(o_.picks) + " picks, spacing about " +
+        shown(std::round(10.0 * o_.spacing()) / 10.0) + ", noise sigma " + shown(o_.noise) +
+        " (vertical, x, y units), seed " + std::to_string(o_.seed) + ".\n\n" + "horizon." +
+        options_.format + "  the picks\n";
     if (model_.faultCount() > 0)
-      text += "fault_N.ts, fault_N.pol  the faults as GOCAD surfaces and as sticks: the same surface twice, use one of them\n";
+      text += "fault_N.ts, fault_N.pol  the faults as GOCAD surfaces and as sticks: the same "
+              "surface twice, use one of them\n";
     if (options_.truth) {
       text += "truth_block_N.ts  the true horizon of each block, cut exactly at the faults\n"
               "truth.ply  all blocks in one mesh, with exact normals and the block as 'piece'\n";
       if (model_.faultCount() > 0)
-        text += "cutoff_fault_N_footwall.pol, cutoff_fault_N_hangingwall.pol  the true cutoff lines\n";
+        text +=
+            "cutoff_fault_N_footwall.pol, cutoff_fault_N_hangingwall.pol  the true cutoff lines\n";
     }
-    text += "synthetic.json  all options and files\n\nTo reconstruct it, in this folder:\n  " + command(".ts") + "\n";
+    text += "synthetic.json  all options and files\n\nTo reconstruct it, in this folder:\n  " +
+            command(".ts") + "\n";
     if (model_.faultCount() > 0)
       text += "or from the sticks:\n  " + command(".pol") + "\n";
     save("README.txt", text);
@@ -175,7 +191,8 @@ private:
     const auto number = [&text](const std::string& name, double value) {
       text += "  \"" + name + "\": " + shown(value) + ",\n";
     };
-    text += "  \"picks\": " + std::to_string(o_.picks) + ",\n  \"seed\": " + std::to_string(o_.seed) + ",\n";
+    text += "  \"picks\": " + std::to_string(o_.picks) +
+            ",\n  \"seed\": " + std::to_string(o_.seed) + ",\n";
     number("spacing", o_.spacing());
     number("size", o_.size);
     number("relief", o_.relief);
@@ -201,18 +218,23 @@ private:
       text += (i > 0 ? ", [" : "[") + disc(o_.holes[i]) + "]";
     text += "],\n  \"dense_patches\": [";
     for (std::size_t i = 0; i < o_.patches.size(); ++i)
-      text += (i > 0 ? ", [" : "[") + disc(o_.patches[i].disc) + ", " + shown(o_.patches[i].factor) + "]";
-    text += "],\n  \"origin\": [" + shown(origin.x()) + ", " + shown(origin.y()) + ", " + shown(origin.z()) + "],\n";
+      text += (i > 0 ? ", [" : "[") + disc(o_.patches[i].disc) + ", " +
+              shown(o_.patches[i].factor) + "]";
+    text += "],\n  \"origin\": [" + shown(origin.x()) + ", " + shown(origin.y()) + ", " +
+            shown(origin.z()) + "],\n";
     text += std::string("  \"z_positive\": \"") + (o_.frame.mirrors() ? "down" : "up") + "\",\n";
     number("z_scale", o_.frame.z_scale);
-    text += "  \"blocks\": " + std::to_string(model_.blockCount()) + ",\n  \"command\": \"" + command(".ts") + "\",\n";
+    text += "  \"blocks\": " + std::to_string(model_.blockCount()) + ",\n  \"command\": \"" +
+            command(".ts") + "\",\n";
     text += "  \"files\": [";
     for (std::size_t i = 0; i < files_.size(); ++i)
       text += (i > 0 ? ", \"" : "\"") + files_[i] + "\"";
     save("synthetic.json", text + "]\n}\n");
   }
 
-  static std::string disc(const SyntheticDisc& d) { return shown(d.x) + ", " + shown(d.y) + ", " + shown(d.radius); }
+  static std::string disc(const SyntheticDisc& d) {
+    return shown(d.x) + ", " + shown(d.y) + ", " + shown(d.radius);
+  }
 
   void save(const std::string& name, const std::string& text) {
     AtomicFile file(add(name));
@@ -229,7 +251,8 @@ private:
 
 } // namespace
 
-std::vector<std::string> writeSyntheticFolder(const SyntheticModel& model, const std::string& folder,
+std::vector<std::string> writeSyntheticFolder(const SyntheticModel& model,
+                                              const std::string& folder,
                                               const SyntheticFolderOptions& options) {
   return FolderWriter(model, folder, options).write();
 }

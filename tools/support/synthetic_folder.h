@@ -9,18 +9,21 @@ namespace graben {
 
 /// How a synthetic horizon is written.
 struct SyntheticFolderOptions {
-  std::string format = "xyz";    ///< of the picks: xyz, poi (the same rows), pcd or ply (binary double with the block as label)
-  int decimals = 3;              ///< picks in text are rounded to this many; at most 9; other numbers are written in full
+  std::string format = "xyz"; ///< of the picks: xyz, poi (the same rows), pcd or ply (binary double
+                              ///< with the block as label)
+  int decimals =
+      3; ///< picks in text are rounded to this many; at most 9; other numbers are written in full
   bool truth = true;             ///< write truth meshes and cutoff lines
   double truth_resolution = 0.0; ///< see SyntheticModel::truthMeshes
   unsigned threads = 0;
 };
 
-/// Writes picks, faults, truth, a README.txt that says what is what with the command to reconstruct it, and synthetic.json
-/// with all options and files. The folder is made if it is not there; numbered files of a former run in it are removed.
-/// \return the files written, without folder
+/// Writes picks, faults, truth, a README.txt that says what is what with the command to reconstruct
+/// it, and synthetic.json with all options and files. The folder is made if it is not there;
+/// numbered files of a former run in it are removed. \return the files written, without folder
 /// \throw InvalidInputError, IoError
-std::vector<std::string> writeSyntheticFolder(const SyntheticModel& model, const std::string& folder,
+std::vector<std::string> writeSyntheticFolder(const SyntheticModel& model,
+                                              const std::string& folder,
                                               const SyntheticFolderOptions& options);
 
 } // namespace graben

@@ -12,7 +12,10 @@ using synthetic::Vector2;
 class CutoffTracer {
 public:
   CutoffTracer(const Structure& structure, const Sheet& sheet, std::size_t fault)
-      : structure_(structure), sheet_(sheet), fault_(fault), f_(structure.faults[fault]) {}
+      : structure_(structure)
+      , sheet_(sheet)
+      , fault_(fault)
+      , f_(structure.faults[fault]) {}
 
   /// The parts of the cutoff inside the area and on the right side of the other faults.
   std::vector<Points> trace(double step) const {
@@ -70,7 +73,8 @@ private:
   double validity(double s) const {
     const Vector2 xy = mapPoint(s);
     const double in_area = 0.5 * structure_.size - std::max(std::abs(xy.x()), std::abs(xy.y()));
-    return std::min({in_area, structure_.inside(sheet_, xy, static_cast<int>(fault_)), -f_.beyondTip(s)});
+    return std::min(
+        {in_area, structure_.inside(sheet_, xy, static_cast<int>(fault_)), -f_.beyondTip(s)});
   }
 
   /// The last valid s between a valid and an invalid one.

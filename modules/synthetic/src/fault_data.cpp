@@ -8,8 +8,11 @@
 namespace graben {
 namespace synthetic {
 
-FaultPatch::FaultPatch(const Structure& structure, std::size_t fault, const SyntheticOptions& options)
-    : structure_(structure), fault_(fault), options_(options) {
+FaultPatch::FaultPatch(const Structure& structure, std::size_t fault,
+                       const SyntheticOptions& options)
+    : structure_(structure)
+    , fault_(fault)
+    , options_(options) {
   const SyntheticFault& f = structure.faults[fault];
   const auto range = structure.strikeRange(fault);
   const std::string stage = "synthetic fault " + std::to_string(fault + 1);
@@ -84,7 +87,8 @@ std::vector<FaultStick> SyntheticModel::faultSticks(std::size_t i) const {
   if (i >= faultCount())
     throw InvalidInputError("synthetic horizon", "there is no fault " + std::to_string(i));
   const synthetic::FaultPatch patch(impl_->structure, i, impl_->options);
-  const std::size_t count = std::max<std::size_t>(2, pointsOver(patch.length(), impl_->options.stick_spacing));
+  const std::size_t count =
+      std::max<std::size_t>(2, pointsOver(patch.length(), impl_->options.stick_spacing));
   std::vector<FaultStick> sticks;
   for (std::size_t k = 0; k < count; ++k) {
     FaultStick stick;
@@ -100,13 +104,18 @@ TriangleMesh SyntheticModel::faultMesh(std::size_t i) const {
   if (i >= faultCount())
     throw InvalidInputError("synthetic horizon", "there is no fault " + std::to_string(i));
   const synthetic::FaultPatch patch(impl_->structure, i, impl_->options);
-  const std::size_t columns = std::max<std::size_t>(2, pointsOver(patch.length(), impl_->options.fault_mesh_size));
-  const std::size_t rows = std::max<std::size_t>(2, pointsOver(patch.height(), impl_->options.fault_mesh_size));
+  const std::size_t columns =
+      std::max<std::size_t>(2, pointsOver(patch.length(), impl_->options.fault_mesh_size));
+  const std::size_t rows =
+      std::max<std::size_t>(2, pointsOver(patch.height(), impl_->options.fault_mesh_size));
   TriangleMesh mesh;
   for (std::size_t k = 0; k < columns; ++k)
-    for (const Vector3& p : patch.column(static_cast<double>(k) / static_cast<double>(columns - 1), rows))
+    for (const Vector3& p :
+         patch.column(static_cast<double>(k) / static_cast<double>(columns - 1), rows))
       mesh.vertices.push_back(impl_->toUser(p));
-  const auto vertex = [rows](std::size_t column, std::size_t row) { return static_cast<Index>(column * rows + row); };
+  const auto vertex = [rows](std::size_t column, std::size_t row) {
+    return static_cast<Index>(column * rows + row);
+  };
   for (std::size_t c = 0; c + 1 < columns; ++c)
     for (std::size_t r = 0; r + 1 < rows; ++r) {
       mesh.triangles.push_back({vertex(c, r), vertex(c, r + 1), vertex(c + 1, r + 1)});

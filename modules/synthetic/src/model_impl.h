@@ -22,7 +22,7 @@ struct SyntheticModel::Impl {
 
   SyntheticOptions options;
   synthetic::Structure structure;
-  double patch_share = 0.0; ///< probability that a pick is drawn from a dense patch
+  double patch_share = 0.0;         ///< probability that a pick is drawn from a dense patch
   std::vector<double> patch_limits; ///< the same added up over the patches
 };
 
@@ -34,7 +34,8 @@ struct SheetMesh {
   std::vector<Triangle> triangles;
 };
 
-/// Triangulates the part of the area a sheet covers; vertices at its borders lie on them to 1e-9 of the size.
+/// Triangulates the part of the area a sheet covers; vertices at its borders lie on them to 1e-9 of
+/// the size.
 SheetMesh triangulateSheet(const Structure& structure, const Sheet& sheet, double resolution);
 
 /// The given (limited) part of a fault.

@@ -13,7 +13,8 @@ void require(bool condition, const std::string& what) {
 }
 
 bool isDisc(const SyntheticDisc& disc) {
-  return std::isfinite(disc.x) && std::isfinite(disc.y) && std::isfinite(disc.radius) && disc.radius > 0.0;
+  return std::isfinite(disc.x) && std::isfinite(disc.y) && std::isfinite(disc.radius) &&
+         disc.radius > 0.0;
 }
 
 void validateFrame(const LocalFrame& frame) {
@@ -37,28 +38,33 @@ void validatePicks(const SyntheticOptions& o) {
 void validateFaults(const SyntheticOptions& o) {
   require(std::isfinite(o.max_throw) && std::abs(o.max_throw) <= 0.25 * o.size,
           "the throw must be at most a quarter of the size");
-  require(o.throw_variation >= 0.0 && o.throw_variation <= 1.0, "the throw variation must be between 0 and 1");
+  require(o.throw_variation >= 0.0 && o.throw_variation <= 1.0,
+          "the throw variation must be between 0 and 1");
   require(o.dip >= 20.0 && o.dip <= 90.0, "the dip must be between 20 and 90 degrees");
   require(o.bend >= 0.0 && o.bend <= 15.0, "the bend must be between 0 and 15 degrees");
   require(o.fault_distance >= 0.0 && o.fault_distance < 0.8 * o.size,
           "the fault distance must be less than 0.8 of the size");
-  require(o.waviness >= 0.0 && o.waviness <= 0.02 * o.size, "the waviness must be between 0 and 0.02 of the size");
-  require(std::isfinite(o.overhang_above) && std::isfinite(o.overhang_below) && std::isfinite(o.strike_overhang) &&
-              std::isfinite(o.fault_shift),
+  require(o.waviness >= 0.0 && o.waviness <= 0.02 * o.size,
+          "the waviness must be between 0 and 0.02 of the size");
+  require(std::isfinite(o.overhang_above) && std::isfinite(o.overhang_below) &&
+              std::isfinite(o.strike_overhang) && std::isfinite(o.fault_shift),
           "overhangs and the fault shift must be finite");
   require(o.fault_mesh_size >= 1e-4 * o.size && std::isfinite(o.fault_mesh_size),
           "the fault mesh size must be at least a ten-thousandth of the size");
   require(o.stick_spacing >= 1e-4 * o.size && std::isfinite(o.stick_spacing),
           "the stick spacing must be at least a ten-thousandth of the size");
-  require(o.points_per_stick >= 2 && o.points_per_stick <= 10000, "a stick has between 2 and 10000 points");
-  require(o.branch_gap >= 0.0 && o.branch_gap < 0.25 * o.size, "the branch gap must be less than a quarter of the size");
+  require(o.points_per_stick >= 2 && o.points_per_stick <= 10000,
+          "a stick has between 2 and 10000 points");
+  require(o.branch_gap >= 0.0 && o.branch_gap < 0.25 * o.size,
+          "the branch gap must be less than a quarter of the size");
 }
 
 } // namespace
 
 const std::vector<std::string>& syntheticKindNames() {
-  static const std::vector<std::string> names = {"unfaulted", "normal", "reverse", "tip",   "conjugate", "parallel",
-                                                 "listric",   "branch", "cross",   "relay", "benchmark"};
+  static const std::vector<std::string> names = {"unfaulted", "normal",   "reverse",  "tip",
+                                                 "conjugate", "parallel", "listric",  "branch",
+                                                 "cross",     "relay",    "benchmark"};
   return names;
 }
 
@@ -83,11 +89,14 @@ SyntheticOptions SyntheticOptions::of(SyntheticKind kind) {
   return o;
 }
 
-double SyntheticOptions::spacing() const { return size / std::sqrt(static_cast<double>(picks)); }
+double SyntheticOptions::spacing() const {
+  return size / std::sqrt(static_cast<double>(picks));
+}
 
 void validate(const SyntheticOptions& o) {
   require(std::isfinite(o.size) && o.size > 0.0, "the size must be positive");
-  require(o.relief >= 0.0 && o.relief <= 0.05 * o.size, "the relief must be between 0 and 0.05 of the size");
+  require(o.relief >= 0.0 && o.relief <= 0.05 * o.size,
+          "the relief must be between 0 and 0.05 of the size");
   validateFrame(o.frame);
   validatePicks(o);
   validateFaults(o);

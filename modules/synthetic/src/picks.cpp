@@ -23,7 +23,8 @@ bool isIn(const SyntheticDisc& disc, const Vector2& xy) {
 /// Share of the candidates kept at xy: 1 at most, a tenth at least.
 double density(const SyntheticOptions& options, const Vector2& xy) {
   const Vector2 k = kTwoPi / options.size * Vector2(2.3, 3.1);
-  const double wave = std::sin(k.x() * xy.x() + 0.7) * std::sin(k.y() * xy.y() + 0.4 * k.x() * xy.x() + 2.1);
+  const double wave =
+      std::sin(k.x() * xy.x() + 0.7) * std::sin(k.y() * xy.y() + 0.4 * k.x() * xy.x() + 2.1);
   return 1.0 - 0.9 * options.uneven * (0.5 + 0.5 * wave);
 }
 
@@ -68,8 +69,11 @@ private:
 /// Draws candidates for one pick until one is kept.
 class PickMaker {
 public:
-  PickMaker(const SyntheticOptions& options, const Structure& structure, const std::vector<double>& patch_limits)
-      : options_(options), structure_(structure), patch_limits_(patch_limits) {}
+  PickMaker(const SyntheticOptions& options, const Structure& structure,
+            const std::vector<double>& patch_limits)
+      : options_(options)
+      , structure_(structure)
+      , patch_limits_(patch_limits) {}
 
   /// The pick in the model's frame. \return false if none of many candidates was kept
   bool make(std::uint64_t index, SyntheticPick& pick) const {
@@ -122,7 +126,8 @@ private:
   bool nearFault(const SyntheticPick& pick, double distance) const {
     const Sheet& sheet = structure_.sheets[static_cast<std::size_t>(pick.sheet)];
     for (std::size_t i = 0; i < structure_.faults.size(); ++i)
-      if (sheet.side[i] != 0 && structure_.faults[i].distance(pick.truth.head<2>(), pick.truth.z()) < distance)
+      if (sheet.side[i] != 0 &&
+          structure_.faults[i].distance(pick.truth.head<2>(), pick.truth.z()) < distance)
         return true;
     return false;
   }
@@ -136,7 +141,8 @@ private:
     const Sheet& sheet = structure_.sheets[static_cast<std::size_t>(pick.sheet)];
     for (std::size_t i = 0; i < structure_.faults.size(); ++i) {
       const SyntheticFault& fault = structure_.faults[i];
-      if (sheet.side[i] != 0 && fault.distance(pick.truth.head<2>(), pick.truth.z()) < options_.smear)
+      if (sheet.side[i] != 0 &&
+          fault.distance(pick.truth.head<2>(), pick.truth.z()) < options_.smear)
         pick.position.head<2>() += random.uniform(-options_.smear, options_.smear) * fault.across;
     }
   }

@@ -5,10 +5,12 @@
 
 namespace graben::synthetic {
 
-/// Counter-based random numbers: the stream of (seed, index) is the same whoever computes it (splitmix64).
+/// Counter-based random numbers: the stream of (seed, index) is the same whoever computes it
+/// (splitmix64).
 class RandomStream {
 public:
-  RandomStream(std::uint64_t seed, std::uint64_t index) : state_(mix(mix(seed) ^ (index * kStep))) {}
+  RandomStream(std::uint64_t seed, std::uint64_t index)
+      : state_(mix(mix(seed) ^ (index * kStep))) {}
 
   /// Uniform in [0, 1).
   double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }

@@ -4,8 +4,8 @@
 
 namespace graben::synthetic {
 
-/// Root of \a f in [a, b], where f changes sign (Illinois variant of the false position method, then bisection).
-/// Symmetric in the sign of f: f and -f give the same bits.
+/// Root of \a f in [a, b], where f changes sign (Illinois variant of the false position method,
+/// then bisection). Symmetric in the sign of f: f and -f give the same bits.
 template <typename Function>
 double findRoot(const Function& f, double a, double b) {
   double fa = f(a);

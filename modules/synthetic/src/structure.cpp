@@ -8,7 +8,8 @@ namespace graben::synthetic {
 namespace {
 
 struct Sine {
-  double amplitude, kx, ky, phase; ///< amplitude as a share of the relief, wave numbers in waves per size
+  double amplitude, kx, ky,
+      phase; ///< amplitude as a share of the relief, wave numbers in waves per size
 };
 constexpr Sine kSines[] = {{0.5, 1.15, 0.25, 0.4}, {0.3, -0.35, 1.4, 1.9}, {0.2, 1.3, 1.5, 4.1}};
 constexpr double kTwoPi = 6.283185307179586;
@@ -71,7 +72,8 @@ double Structure::cutoff(const Sheet& sheet, std::size_t fault, double s) const 
 
 std::pair<double, double> Structure::strikeRange(std::size_t fault) const {
   const SyntheticFault& f = faults[fault];
-  std::pair<double, double> range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
+  std::pair<double, double> range(std::numeric_limits<double>::infinity(),
+                                  -std::numeric_limits<double>::infinity());
   constexpr int kSteps = 400;
   for (int k = 0; k <= kSteps; ++k) {
     const double s = size * (2.0 * k / kSteps - 1.0);

@@ -33,7 +33,9 @@ struct Structure {
   /// Lays out the faults and sheets of the options' kind.
   static Structure of(const SyntheticOptions& options);
 
-  bool inArea(const Vector2& xy) const { return std::max(std::abs(xy.x()), std::abs(xy.y())) <= 0.5 * size; }
+  bool inArea(const Vector2& xy) const {
+    return std::max(std::abs(xy.x()), std::abs(xy.y())) <= 0.5 * size;
+  }
 
   /// The horizon before faulting.
   double base(const Vector2& xy) const;
@@ -42,7 +44,8 @@ struct Structure {
   double height(const Sheet& sheet, const Vector2& xy) const;
   Vector2 heightGradient(const Sheet& sheet, const Vector2& xy) const;
 
-  /// How far a point of the sheet is inside with respect to one fault that bounds it (horizontally, along the fault's dip).
+  /// How far a point of the sheet is inside with respect to one fault that bounds it (horizontally,
+  /// along the fault's dip).
   double inside(const Sheet& sheet, std::size_t fault, const Vector2& xy) const {
     return sheet.side[fault] * faults[fault].offset(xy, height(sheet, xy));
   }
@@ -54,9 +57,12 @@ struct Structure {
   double cutoff(const Sheet& sheet, std::size_t fault, double s) const;
 
   /// A point of the sheet.
-  Vector3 lift(const Sheet& sheet, const Vector2& xy) const { return {xy.x(), xy.y(), height(sheet, xy)}; }
+  Vector3 lift(const Sheet& sheet, const Vector2& xy) const {
+    return {xy.x(), xy.y(), height(sheet, xy)};
+  }
 
-  /// The range of s in which the fault's cutoffs lie in the area; empty (first > second) if they do not.
+  /// The range of s in which the fault's cutoffs lie in the area; empty (first > second) if they do
+  /// not.
   std::pair<double, double> strikeRange(std::size_t fault) const;
 
   /// True if the sheet has a cutoff at the fault.

@@ -16,7 +16,9 @@ double cotangent(double degrees) {
 /// Lays out the faults and sheets of one kind.
 class Builder {
 public:
-  explicit Builder(const SyntheticOptions& options) : options_(options), size_(options.size) {
+  explicit Builder(const SyntheticOptions& options)
+      : options_(options)
+      , size_(options.size) {
     structure_.size = options.size;
     structure_.relief = options.relief;
   }
@@ -38,15 +40,18 @@ private:
   Structure structure_;
 };
 
-SyntheticFault Builder::fault(double strike_degrees, const Vector2& center, double throw_share) const {
+SyntheticFault Builder::fault(double strike_degrees, const Vector2& center,
+                              double throw_share) const {
   SyntheticFault f;
   f.setStrike(strike_degrees);
   f.center = center;
   f.cot_dip = cotangent(options_.dip);
-  f.bend = (cotangent(options_.dip - options_.bend) - cotangent(options_.dip + options_.bend)) / 600.0;
+  f.bend =
+      (cotangent(options_.dip - options_.bend) - cotangent(options_.dip + options_.bend)) / 600.0;
   f.wave_amplitude = options_.waviness;
   f.wave_number = 6.283185307179586 / (0.35 * size_);
-  f.max_throw = throw_share * options_.max_throw * (options_.kind == SyntheticKind::Reverse ? -1.0 : 1.0);
+  f.max_throw =
+      throw_share * options_.max_throw * (options_.kind == SyntheticKind::Reverse ? -1.0 : 1.0);
   f.throw_loss = options_.throw_variation;
   f.throw_length = 0.5 * size_;
   return f;
@@ -84,14 +89,16 @@ void Builder::relay() {
 }
 
 void Builder::branch() {
-  structure_.faults = {fault(80.0, {-0.12 * size_, 0.0}, 1.0), fault(20.0, {-0.12 * size_, -0.02 * size_}, 0.7)};
+  structure_.faults = {fault(80.0, {-0.12 * size_, 0.0}, 1.0),
+                       fault(20.0, {-0.12 * size_, -0.02 * size_}, 0.7)};
   structure_.faults[1].parent = 0;
   structure_.faults[1].parent_side = 1;
   sheets({{-1, 0, 0}, {1, -1, 1}, {1, 1, 2}});
 }
 
 void Builder::benchmark() {
-  structure_.faults = {fault(78.0, {-0.18 * size_, 0.0}, 1.0), fault(74.0, {0.2 * size_, 0.0}, 2.0 / 3.0)};
+  structure_.faults = {fault(78.0, {-0.18 * size_, 0.0}, 1.0),
+                       fault(74.0, {0.2 * size_, 0.0}, 2.0 / 3.0)};
   structure_.faults[1].tip_direction = 1;
   structure_.faults[1].tip_length = 0.5 * size_;
   structure_.beside = {-1, 1};
@@ -118,8 +125,10 @@ void Builder::checkApart() const {
           continue;
         const Vector2 xy = f.toMap({s, structure_.cutoff(sheet, i, s)});
         if (structure_.inArea(xy) && structure_.inside(sheet, 1 - i, xy) <= 0.0)
-          throw InvalidInputError("synthetic horizon", "the two faults meet on the horizon. Give a larger fault distance, a "
-                                                       "steeper dip or a smaller throw.");
+          throw InvalidInputError(
+              "synthetic horizon",
+              "the two faults meet on the horizon. Give a larger fault distance, a "
+              "steeper dip or a smaller throw.");
       }
     }
   }
@@ -176,6 +185,8 @@ Structure Builder::build() {
 
 } // namespace
 
-Structure Structure::of(const SyntheticOptions& options) { return Builder(options).build(); }
+Structure Structure::of(const SyntheticOptions& options) {
+  return Builder(options).build();
+}
 
 } // namespace graben::synthetic

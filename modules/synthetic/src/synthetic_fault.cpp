@@ -8,9 +8,13 @@ namespace {
 constexpr double kPi = 3.141592653589793;
 
 /// Throw profile of a crack: a square root at the tip, level at one length from it.
-double profile(double rho) { return rho < 1.0 ? std::sqrt(rho * (2.0 - rho)) : 1.0; }
+double profile(double rho) {
+  return rho < 1.0 ? std::sqrt(rho * (2.0 - rho)) : 1.0;
+}
 
-double profileSlope(double rho) { return rho < 1.0 ? (1.0 - rho) / std::sqrt(rho * (2.0 - rho)) : 0.0; }
+double profileSlope(double rho) {
+  return rho < 1.0 ? (1.0 - rho) / std::sqrt(rho * (2.0 - rho)) : 0.0;
+}
 
 } // namespace
 
@@ -26,14 +30,16 @@ double SyntheticFault::level(double s, double z) const {
 }
 
 double SyntheticFault::beyondTip(double s) const {
-  return tip_direction == 0 ? -std::numeric_limits<double>::infinity() : (s - tip.x()) * tip_direction;
+  return tip_direction == 0 ? -std::numeric_limits<double>::infinity()
+                            : (s - tip.x()) * tip_direction;
 }
 
 double SyntheticFault::distance(const Vector2& xy, double z) const {
   const Vector2 sq = toFault(xy);
   const double slope_s = wave_amplitude * wave_number * std::cos(wave_number * sq.x());
   const double slope_z = -cot_dip + bend * z;
-  const double across_fault = (sq.y() - level(sq.x(), z)) / std::sqrt(1.0 + slope_s * slope_s + slope_z * slope_z);
+  const double across_fault =
+      (sq.y() - level(sq.x(), z)) / std::sqrt(1.0 + slope_s * slope_s + slope_z * slope_z);
   return std::hypot(across_fault, std::max(0.0, beyondTip(sq.x())));
 }
 
@@ -41,7 +47,8 @@ SyntheticFault::Polar SyntheticFault::aboutTip(int side, const Vector2& sq) cons
   const double along = beyondTip(sq.x());
   const double out = sq.y() - tip.y();
   double angle = std::atan2(out, along);
-  // Each side has its own branch of the angle, so that its displacement goes on smoothly past the fault.
+  // Each side has its own branch of the angle, so that its displacement goes on smoothly past the
+  // fault.
   if (side < 0 && angle > 0.5 * kPi)
     angle -= 2.0 * kPi;
   else if (side > 0 && angle < -0.5 * kPi)

@@ -9,9 +9,11 @@ namespace graben::synthetic {
 
 using Vector2 = Eigen::Vector2d;
 
-/// A fault surface q = level(s, z) with s along strike and q across, towards the dip, and the displacement it causes.
+/// A fault surface q = level(s, z) with s along strike and q across, towards the dip, and the
+/// displacement it causes.
 ///
-/// The hanging wall is where q > level. Everything is analytic and unlimited; a tip ends the displacement, not the surface.
+/// The hanging wall is where q > level. Everything is analytic and unlimited; a tip ends the
+/// displacement, not the surface.
 class SyntheticFault {
 public:
   Vector2 center = Vector2::Zero();
@@ -24,7 +26,7 @@ public:
   double wave_number = 0.0;
 
   double max_throw = 0.0;
-  double throw_loss = 0.0;   ///< share of the throw lost at |s| = throw_length
+  double throw_loss = 0.0; ///< share of the throw lost at |s| = throw_length
   double throw_length = 1.0;
 
   /// 0: the fault has no tip; +1: it ends at tip.x() and lies at smaller s; -1: at larger s.
@@ -38,7 +40,9 @@ public:
 
   void setStrike(double degrees_from_x);
 
-  Vector2 toFault(const Vector2& xy) const { return {strike.dot(xy - center), across.dot(xy - center)}; }
+  Vector2 toFault(const Vector2& xy) const {
+    return {strike.dot(xy - center), across.dot(xy - center)};
+  }
   Vector2 toMap(const Vector2& sq) const { return center + sq.x() * strike + sq.y() * across; }
 
   double level(double s, double z) const;
@@ -52,7 +56,8 @@ public:
   /// First-order distance to the surface, and beyond a tip to the tip line.
   double distance(const Vector2& xy, double z) const;
 
-  /// Signed distance along strike to the tip; positive beyond it, where there is no fault. Minus infinity without tip.
+  /// Signed distance along strike to the tip; positive beyond it, where there is no fault. Minus
+  /// infinity without tip.
   double beyondTip(double s) const;
 
   /// Vertical displacement of the side -1 (footwall) or +1, and its gradient in x, y.

@@ -9,13 +9,15 @@ namespace graben {
 using synthetic::Sheet;
 using synthetic::Vector2;
 
-SyntheticModel::Impl::Impl(const SyntheticOptions& o) : options(o) {
+SyntheticModel::Impl::Impl(const SyntheticOptions& o)
+    : options(o) {
   validate(options);
   structure = synthetic::Structure::of(options);
   const double area = options.size * options.size;
   double weight = area;
   for (const SyntheticPatch& patch : options.patches) {
-    const double extra = (patch.factor - 1.0) * 3.141592653589793 * patch.disc.radius * patch.disc.radius;
+    const double extra =
+        (patch.factor - 1.0) * 3.141592653589793 * patch.disc.radius * patch.disc.radius;
     weight += extra;
     patch_limits.push_back(weight - area);
   }
@@ -28,7 +30,9 @@ SyntheticModel::Impl::Impl(const SyntheticOptions& o) : options(o) {
 
 double SyntheticModel::Impl::resolution(double asked) const {
   if (!(std::isfinite(asked) && asked >= 0.0) || (asked > 0.0 && asked < 1e-5 * options.size))
-    throw InvalidInputError("synthetic truth", "the resolution must be at least 1e-5 of the size, or 0 for the default");
+    throw InvalidInputError(
+        "synthetic truth",
+        "the resolution must be at least 1e-5 of the size, or 0 for the default");
   return asked > 0.0 ? asked : std::max(options.spacing(), options.size / 500.0);
 }
 
@@ -58,15 +62,24 @@ Vector3 SyntheticModel::Impl::userNormal(const Sheet& sheet, const Vector2& xy) 
   return options.frame.normalToUser(Vector3(-slope.x(), -slope.y(), 1.0).normalized());
 }
 
-SyntheticModel::SyntheticModel(const SyntheticOptions& options) : impl_(std::make_unique<Impl>(options)) {}
+SyntheticModel::SyntheticModel(const SyntheticOptions& options)
+    : impl_(std::make_unique<Impl>(options)) {}
 SyntheticModel::~SyntheticModel() = default;
 SyntheticModel::SyntheticModel(SyntheticModel&&) noexcept = default;
 SyntheticModel& SyntheticModel::operator=(SyntheticModel&&) noexcept = default;
 
-const SyntheticOptions& SyntheticModel::options() const { return impl_->options; }
-std::size_t SyntheticModel::faultCount() const { return impl_->structure.faults.size(); }
-std::size_t SyntheticModel::sheetCount() const { return impl_->structure.sheets.size(); }
-std::size_t SyntheticModel::blockCount() const { return static_cast<std::size_t>(impl_->structure.blocks); }
+const SyntheticOptions& SyntheticModel::options() const {
+  return impl_->options;
+}
+std::size_t SyntheticModel::faultCount() const {
+  return impl_->structure.faults.size();
+}
+std::size_t SyntheticModel::sheetCount() const {
+  return impl_->structure.sheets.size();
+}
+std::size_t SyntheticModel::blockCount() const {
+  return static_cast<std::size_t>(impl_->structure.blocks);
+}
 
 Index SyntheticModel::blockOfSheet(Index sheet) const {
   return impl_->structure.sheets.at(static_cast<std::size_t>(sheet)).block;
@@ -83,17 +96,20 @@ Vector3 SyntheticModel::truthNormal(Index block, double x, double y) const {
 }
 
 double SyntheticModel::sheetHeight(Index sheet, double x, double y) const {
-  return impl_->userHeight(impl_->structure.sheets.at(static_cast<std::size_t>(sheet)), impl_->toLocalXY(x, y));
+  return impl_->userHeight(impl_->structure.sheets.at(static_cast<std::size_t>(sheet)),
+                           impl_->toLocalXY(x, y));
 }
 
 Vector3 SyntheticModel::sheetNormal(Index sheet, double x, double y) const {
-  return impl_->userNormal(impl_->structure.sheets.at(static_cast<std::size_t>(sheet)), impl_->toLocalXY(x, y));
+  return impl_->userNormal(impl_->structure.sheets.at(static_cast<std::size_t>(sheet)),
+                           impl_->toLocalXY(x, y));
 }
 
 bool SyntheticModel::sheetCovers(Index sheet, double x, double y) const {
   const Vector2 xy = impl_->toLocalXY(x, y);
   return impl_->structure.inArea(xy) &&
-         impl_->structure.inside(impl_->structure.sheets.at(static_cast<std::size_t>(sheet)), xy) >= 0.0;
+         impl_->structure.inside(impl_->structure.sheets.at(static_cast<std::size_t>(sheet)), xy) >=
+             0.0;
 }
 
 Index SyntheticModel::blockOf(const Vector3& p) const {
@@ -105,7 +121,8 @@ Index SyntheticModel::blockOf(const Vector3& p) const {
     double inside = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < structure.faults.size(); ++i)
       if (sheet.side[i] != 0)
-        inside = std::min(inside, sheet.side[i] * structure.faults[i].offset(local.head<2>(), local.z()));
+        inside = std::min(inside,
+                          sheet.side[i] * structure.faults[i].offset(local.head<2>(), local.z()));
     if (inside > best) {
       best = inside;
       block = sheet.block;

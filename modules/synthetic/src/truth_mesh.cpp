@@ -23,9 +23,10 @@ struct Corner {
 class SheetMesher {
 public:
   SheetMesher(const Structure& structure, const Sheet& sheet, double resolution)
-      : structure_(structure), sheet_(sheet),
-        cells_(std::max(2, static_cast<int>(std::ceil(structure.size / resolution)))),
-        step_(structure.size / cells_) {}
+      : structure_(structure)
+      , sheet_(sheet)
+      , cells_(std::max(2, static_cast<int>(std::ceil(structure.size / resolution))))
+      , step_(structure.size / cells_) {}
 
   SheetMesh run() {
     makeGrid();
@@ -42,9 +43,13 @@ public:
   }
 
 private:
-  Index gridIndex(int column, int row) const { return static_cast<Index>(row * (cells_ + 1) + column); }
+  Index gridIndex(int column, int row) const {
+    return static_cast<Index>(row * (cells_ + 1) + column);
+  }
 
-  double coordinate(int k) const { return k == cells_ ? 0.5 * structure_.size : -0.5 * structure_.size + k * step_; }
+  double coordinate(int k) const {
+    return k == cells_ ? 0.5 * structure_.size : -0.5 * structure_.size + k * step_;
+  }
 
   void makeGrid() {
     for (int row = 0; row <= cells_; ++row)
@@ -55,12 +60,16 @@ private:
                             false,
                             0});
     const std::vector<Index> tips = placeTips();
-    const auto isTip = [&](Index v) { return std::find(tips.begin(), tips.end(), v) != tips.end(); };
+    const auto isTip = [&](Index v) {
+      return std::find(tips.begin(), tips.end(), v) != tips.end();
+    };
     for (int row = 0; row < cells_; ++row)
       for (int column = 0; column < cells_; ++column) {
-        const Index a = gridIndex(column, row), b = a + 1, c = gridIndex(column + 1, row + 1), d = c - 1;
+        const Index a = gridIndex(column, row), b = a + 1, c = gridIndex(column + 1, row + 1),
+                    d = c - 1;
         // A moved vertex may lie on the other diagonal of its cell.
-        const bool along_ac = isTip(a) || isTip(c) || (!isTip(b) && !isTip(d) && (row + column) % 2 == 0);
+        const bool along_ac =
+            isTip(a) || isTip(c) || (!isTip(b) && !isTip(d) && (row + column) % 2 == 0);
         if (along_ac) {
           triangles_.push_back({a, b, c});
           triangles_.push_back({a, c, d});
@@ -80,7 +89,8 @@ private:
         continue;
       const Vector2 tip = fault.toMap(fault.tip);
       const auto nearest = [&](double x) {
-        return std::clamp(static_cast<int>(std::lround((x + 0.5 * structure_.size) / step_)), 1, cells_ - 1);
+        return std::clamp(static_cast<int>(std::lround((x + 0.5 * structure_.size) / step_)), 1,
+                          cells_ - 1);
       };
       const Index v = gridIndex(nearest(tip.x()), nearest(tip.y()));
       Corner& corner = corners_[static_cast<std::size_t>(v)];
@@ -92,7 +102,9 @@ private:
     return moved;
   }
 
-  double inside(std::size_t fault, const Vector2& xy) const { return structure_.inside(sheet_, fault, xy); }
+  double inside(std::size_t fault, const Vector2& xy) const {
+    return structure_.inside(sheet_, fault, xy);
+  }
 
   double inside(std::size_t fault, const Corner& corner) const {
     return (corner.cuts >> fault & 1u) != 0 ? 0.0 : inside(fault, corner.position);
@@ -130,14 +142,16 @@ private:
     std::vector<Move> moves;
     for (std::size_t v = 0; v < corners_.size(); ++v)
       if (near(corners_[v]))
-        if (const auto target = meetingPoint(corners_[v].cuts, fault, corners_[v].position, 0.6 * step_))
+        if (const auto target =
+                meetingPoint(corners_[v].cuts, fault, corners_[v].position, 0.6 * step_))
           moves.push_back({(*target - corners_[v].position).norm(), v, *target});
     std::sort(moves.begin(), moves.end(), [](const Move& a, const Move& b) {
       return std::tie(a.length, a.corner) < std::tie(b.length, b.corner);
     });
     std::vector<Vector2> taken;
     for (const Move& move : moves) {
-      if (std::any_of(taken.begin(), taken.end(), [&](const Vector2& t) { return (t - move.target).norm() < step_; }))
+      if (std::any_of(taken.begin(), taken.end(),
+                      [&](const Vector2& t) { return (t - move.target).norm() < step_; }))
         continue;
       taken.push_back(move.target);
       corners_[move.corner].position = move.target;
@@ -156,12 +170,16 @@ private:
     return Vector2(corner.position + findRoot(along, -limit, limit) * direction);
   }
 
-  /// The point on the cutoffs at \a fault and at one of \a cuts near \a start (Newton with difference quotients).
-  std::optional<Vector2> meetingPoint(unsigned cuts, std::size_t fault, const Vector2& start, double reach) const {
+  /// The point on the cutoffs at \a fault and at one of \a cuts near \a start (Newton with
+  /// difference quotients).
+  std::optional<Vector2> meetingPoint(unsigned cuts, std::size_t fault, const Vector2& start,
+                                      double reach) const {
     std::size_t other = 0;
     while ((cuts >> other & 1u) == 0)
       ++other;
-    const auto value = [&](const Vector2& p) { return Vector2(inside(other, p), inside(fault, p)); };
+    const auto value = [&](const Vector2& p) {
+      return Vector2(inside(other, p), inside(fault, p));
+    };
     const double d = 1e-4;
     Vector2 p = start;
     for (int k = 0; k < 30; ++k) {
@@ -190,7 +208,8 @@ private:
       bool any_inside = false;
       for (std::size_t e = 0; e < 3; ++e) {
         const Index a = triangle[e], b = triangle[(e + 1) % 3];
-        const double va = values[static_cast<std::size_t>(a)], vb = values[static_cast<std::size_t>(b)];
+        const double va = values[static_cast<std::size_t>(a)],
+                     vb = values[static_cast<std::size_t>(b)];
         any_inside |= va > 0.0;
         if (va >= 0.0)
           polygon.push_back(a);
@@ -207,13 +226,16 @@ private:
     triangles_ = std::move(kept);
   }
 
-  Index cutEdge(std::size_t fault, std::pair<Index, Index> edge, std::map<std::pair<Index, Index>, Index>& cut_edges) {
+  Index cutEdge(std::size_t fault, std::pair<Index, Index> edge,
+                std::map<std::pair<Index, Index>, Index>& cut_edges) {
     const auto [entry, is_new] = cut_edges.emplace(edge, static_cast<Index>(corners_.size()));
     if (!is_new)
       return entry->second;
     const Corner& a = corners_[static_cast<std::size_t>(edge.first)];
     const Corner& b = corners_[static_cast<std::size_t>(edge.second)];
-    const auto along = [&](double t) { return inside(fault, a.position + t * (b.position - a.position)); };
+    const auto along = [&](double t) {
+      return inside(fault, a.position + t * (b.position - a.position));
+    };
     Corner corner;
     corner.position = a.position + findRoot(along, 0.0, 1.0) * (b.position - a.position);
     corner.on_x_edge = a.on_x_edge && b.on_x_edge;
@@ -230,8 +252,11 @@ private:
   }
 
   void splitQuad(const std::vector<Index>& quad, std::vector<Triangle>& out) const {
-    const auto at = [&](std::size_t i) { return corners_[static_cast<std::size_t>(quad[i])].position; };
-    const std::size_t first = (at(0) - at(2)).squaredNorm() <= (at(1) - at(3)).squaredNorm() ? 0 : 1;
+    const auto at = [&](std::size_t i) {
+      return corners_[static_cast<std::size_t>(quad[i])].position;
+    };
+    const std::size_t first =
+        (at(0) - at(2)).squaredNorm() <= (at(1) - at(3)).squaredNorm() ? 0 : 1;
     const auto q = [&](std::size_t i) { return quad[(first + i) % 4]; };
     out.push_back({q(0), q(1), q(2)});
     out.push_back({q(0), q(2), q(3)});
@@ -264,12 +289,15 @@ struct ExactHash {
   }
 };
 
-/// Collects the sheets of one block; sheets joined round a tip have the same vertices there, bit by bit.
+/// Collects the sheets of one block; sheets joined round a tip have the same vertices there, bit by
+/// bit.
 class BlockMesh {
 public:
-  explicit BlockMesh(const SyntheticOptions& options) : options_(options) {}
+  explicit BlockMesh(const SyntheticOptions& options)
+      : options_(options) {}
 
-  void add(const synthetic::Structure& structure, const synthetic::Sheet& sheet, const synthetic::SheetMesh& part) {
+  void add(const synthetic::Structure& structure, const synthetic::Sheet& sheet,
+           const synthetic::SheetMesh& part) {
     std::vector<Index> index(part.positions.size(), -1);
     for (const Triangle& triangle : part.triangles) {
       Triangle joined{};
@@ -288,13 +316,15 @@ public:
   TriangleMesh& mesh() { return mesh_; }
 
 private:
-  Index vertex(const synthetic::Structure& structure, const synthetic::Sheet& sheet, const synthetic::Vector2& xy) {
+  Index vertex(const synthetic::Structure& structure, const synthetic::Sheet& sheet,
+               const synthetic::Vector2& xy) {
     const Vector3 local = structure.lift(sheet, xy);
     const auto [entry, is_new] = known_.emplace(local, static_cast<Index>(mesh_.vertices.size()));
     if (is_new) {
       const synthetic::Vector2 slope = structure.heightGradient(sheet, xy);
       mesh_.vertices.push_back(options_.frame.toUser(local));
-      mesh_.normals.push_back(options_.frame.normalToUser(Vector3(-slope.x(), -slope.y(), 1.0).normalized()));
+      mesh_.normals.push_back(
+          options_.frame.normalToUser(Vector3(-slope.x(), -slope.y(), 1.0).normalized()));
       mesh_.piece.push_back(sheet.block);
     }
     return entry->second;
@@ -314,7 +344,8 @@ std::vector<TriangleMesh> SyntheticModel::truthMeshes(double resolution) const {
     BlockMesh joined(impl_->options);
     for (const synthetic::Sheet& sheet : impl_->structure.sheets)
       if (sheet.block == block)
-        joined.add(impl_->structure, sheet, synthetic::triangulateSheet(impl_->structure, sheet, step));
+        joined.add(impl_->structure, sheet,
+                   synthetic::triangulateSheet(impl_->structure, sheet, step));
     meshes.push_back(std::move(joined.mesh()));
   }
   return meshes;

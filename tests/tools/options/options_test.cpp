@@ -16,7 +16,9 @@ using testing::HasSubstr;
 
 OptionParser sample() {
   OptionParser parser("graben_sample", "A sample.");
-  parser.list("fault", "FILE", "faults").value("voxel-size", "H", "cell edge", "2.5").value("origin", "X,Y,Z", "origin");
+  parser.list("fault", "FILE", "faults")
+      .value("voxel-size", "H", "cell edge", "2.5")
+      .value("origin", "X,Y,Z", "origin");
   return parser.flag("quiet", "say nothing");
 }
 
@@ -33,7 +35,8 @@ class ConfigFile {
 public:
   explicit ConfigFile(const std::string& content)
       : path_(std::filesystem::temp_directory_path() /
-              ("graben_options_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+              ("graben_options_" +
+               std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
     std::ofstream(path_) << content;
   }
   ~ConfigFile() { std::filesystem::remove(path_); }
@@ -63,7 +66,8 @@ TEST(Options, NegativeNumbersAreValues) {
 }
 
 TEST(Options, UnknownOptionNamesTheNearest) {
-  EXPECT_THAT(usageError({"--fualt", "x"}), HasSubstr("unknown option --fualt; did you mean --fault?"));
+  EXPECT_THAT(usageError({"--fualt", "x"}),
+              HasSubstr("unknown option --fualt; did you mean --fault?"));
   EXPECT_THAT(usageError({"--voxel", "x"}), HasSubstr("did you mean --voxel-size?"));
   EXPECT_THAT(usageError({"--xyzzyplugh"}), testing::Not(HasSubstr("did you mean")));
   EXPECT_THAT(usageError({"-q"}), HasSubstr("unknown option -q"));
@@ -94,7 +98,8 @@ TEST(Options, BadNumbersNameTheOption) {
 }
 
 TEST(Options, CommandLineWinsOverConfig) {
-  const ConfigFile file("# comment\r\nvoxel-size = 4\r\n\nfault = a \"b c\"\nfault = d\nquiet = yes\norigin=1,2,3\n");
+  const ConfigFile file(
+      "# comment\r\nvoxel-size = 4\r\n\nfault = a \"b c\"\nfault = d\nquiet = yes\norigin=1,2,3\n");
   OptionValues values = sample().parse({"--config", file.path(), "--voxel-size", "9"});
   EXPECT_EQ(values.number("voxel-size"), 9.0);
   EXPECT_THAT(values.texts("fault"), ElementsAre("a", "b c", "d"));
@@ -105,7 +110,8 @@ TEST(Options, CommandLineWinsOverConfig) {
 
 TEST(Options, ConfigMistakesNameFileAndLine) {
   const ConfigFile file("quiet = no\nvoxelsize = 4\n");
-  EXPECT_THAT(usageError({"--config", file.path()}), HasSubstr(file.path() + ":2: unknown option --voxelsize"));
+  EXPECT_THAT(usageError({"--config", file.path()}),
+              HasSubstr(file.path() + ":2: unknown option --voxelsize"));
   EXPECT_THROW(sample().parse({"--config", "/no/such/file"}), IoError);
 }
 
@@ -122,7 +128,8 @@ TEST(Options, PositionalsAreCounted) {
   EXPECT_THROW(parser.parse({"a", "b", "c"}), UsageError);
 }
 
-int run(const std::vector<const char*>& arguments, const std::function<int(const OptionValues&)>& body) {
+int run(const std::vector<const char*>& arguments,
+        const std::function<int(const OptionValues&)>& body) {
   std::vector<const char*> argv = {"graben_sample"};
   argv.insert(argv.end(), arguments.begin(), arguments.end());
   return runTool(sample(), static_cast<int>(argv.size()), argv.data(), body);
@@ -133,9 +140,14 @@ TEST(RunTool, ExitCodesAndMessages) {
   testing::internal::CaptureStdout();
   EXPECT_EQ(run({}, [](const OptionValues&) { return 0; }), 0);
   EXPECT_EQ(run({"--nonsense"}, [](const OptionValues&) { return 0; }), 2);
-  EXPECT_EQ(run({}, [](const OptionValues&) -> int { throw InvalidInputError("reading", "all points are NaN"); }), 1);
+  EXPECT_EQ(run({},
+                [](const OptionValues&) -> int {
+                  throw InvalidInputError("reading", "all points are NaN");
+                }),
+            1);
   EXPECT_EQ(run({}, [](const OptionValues&) -> int { throw 5; }), 1);
-  EXPECT_EQ(run({"--fault", "x", "--help", "--nonsense"}, [](const OptionValues&) { return 7; }), 0);
+  EXPECT_EQ(run({"--fault", "x", "--help", "--nonsense"}, [](const OptionValues&) { return 7; }),
+            0);
   EXPECT_EQ(run({"--version"}, [](const OptionValues&) { return 7; }), 0);
   const std::string errors = testing::internal::GetCapturedStderr();
   const std::string output = testing::internal::GetCapturedStdout();

@@ -38,8 +38,9 @@ protected:
 
   /// Runs the tool in the test's own, at first empty, folder.
   Outcome run(const std::string& arguments) const {
-    const std::string command =
-        "cd '" + folder_.string() + "' && '" GRABEN_BIN_DIR "/graben_synthesize' " + arguments + " 2>&1";
+    const std::string command = "cd '" + folder_.string() +
+                                "' && '" GRABEN_BIN_DIR "/graben_synthesize' " + arguments +
+                                " 2>&1";
     FILE* pipe = popen(command.c_str(), "r");
     Outcome outcome;
     std::array<char, 4096> buffer{};
@@ -104,8 +105,8 @@ TEST_F(Synthesize, HelpAndVersion) {
 }
 
 TEST_F(Synthesize, FilesReadBackAsTheModelSays) {
-  const Outcome outcome =
-      run("--output d/e --kind branch --picks 3000 --origin 461000,5931000,1700 --z-positive down --noise 0");
+  const Outcome outcome = run("--output d/e --kind branch --picks 3000 --origin "
+                              "461000,5931000,1700 --z-positive down --noise 0");
   ASSERT_EQ(outcome.code, 0) << outcome.output;
   SyntheticOptions o = SyntheticOptions::of(SyntheticKind::Branch);
   o.picks = 3000;
@@ -122,18 +123,23 @@ TEST_F(Synthesize, FilesReadBackAsTheModelSays) {
     const std::vector<FaultInput> surface = readFaults(path(name + ".ts"));
     ASSERT_EQ(surface.size(), 1u);
     EXPECT_EQ(surface[0].z_positive, ZPositive::Down);
-    EXPECT_EQ(std::get<TriangleMesh>(surface[0].geometry).triangles.size(), model.faultMesh(i).triangles.size());
+    EXPECT_EQ(std::get<TriangleMesh>(surface[0].geometry).triangles.size(),
+              model.faultMesh(i).triangles.size());
     const std::vector<FaultInput> sticks = readFaults(path(name + ".pol"));
     ASSERT_EQ(sticks.size(), 1u);
-    EXPECT_EQ(std::get<std::vector<FaultStick>>(sticks[0].geometry).size(), model.faultSticks(i).size());
+    EXPECT_EQ(std::get<std::vector<FaultStick>>(sticks[0].geometry).size(),
+              model.faultSticks(i).size());
     for (const std::string wall : {"footwall", "hangingwall"})
-      EXPECT_TRUE(fs::exists(path("d/e/cutoff_fault_" + std::to_string(i + 1) + "_" + wall + ".pol")));
+      EXPECT_TRUE(
+          fs::exists(path("d/e/cutoff_fault_" + std::to_string(i + 1) + "_" + wall + ".pol")));
   }
   const std::string readme = content("d/e/README.txt");
-  EXPECT_THAT(readme, HasSubstr("graben_reconstruct --horizon horizon.xyz --fault fault_1.ts fault_2.ts --z-positive down"));
+  EXPECT_THAT(readme, HasSubstr("graben_reconstruct --horizon horizon.xyz --fault fault_1.ts "
+                                "fault_2.ts --z-positive down"));
   for (const auto& entry : fs::directory_iterator(path("d/e")))
     if (entry.path().filename() != "synthetic.json") {
-      EXPECT_THAT(content("d/e/synthetic.json"), HasSubstr('"' + entry.path().filename().string() + '"'));
+      EXPECT_THAT(content("d/e/synthetic.json"),
+                  HasSubstr('"' + entry.path().filename().string() + '"'));
     }
 }
 
@@ -156,7 +162,11 @@ TEST_F(Synthesize, EveryFormatHoldsTheSamePicks) {
     return SyntheticModel(o).picks();
   }();
   for (const std::string format : {"xyz", "poi", "pcd", "ply"}) {
-    ASSERT_EQ(run("--output d --kind tip --picks 500 --origin 500000,6000000,0 --no-truth --format " + format).code, 0);
+    ASSERT_EQ(
+        run("--output d --kind tip --picks 500 --origin 500000,6000000,0 --no-truth --format " +
+            format)
+            .code,
+        0);
     const PickSet picks = readPicks(path("d/horizon." + format));
     ASSERT_EQ(picks.points.size(), 500u) << format;
     const double tolerance = format == "pcd" || format == "ply" ? 0.0 : 0.00087;
@@ -179,10 +189,14 @@ TEST_F(Synthesize, ASecondRunLeavesNoFaultsOfTheFirstAndNothingElseIsTouched) {
 }
 
 TEST_F(Synthesize, SameBytesForEveryNumberOfThreadsAndFromAConfigurationFile) {
-  std::ofstream(path("run.cfg")) << "kind = conjugate\npicks = 40000\nseed = 7\nhole = 0,0,300 900,900,200\n";
+  std::ofstream(path("run.cfg"))
+      << "kind = conjugate\npicks = 40000\nseed = 7\nhole = 0,0,300 900,900,200\n";
   ASSERT_EQ(run("--output a --config run.cfg --threads 1").code, 0);
   ASSERT_EQ(run("--output b --config run.cfg --threads 4").code, 0);
-  ASSERT_EQ(run("--output c --kind conjugate --picks 40000 --seed 7 --hole 0,0,300 --hole 900,900,200").code, 0);
+  ASSERT_EQ(
+      run("--output c --kind conjugate --picks 40000 --seed 7 --hole 0,0,300 --hole 900,900,200")
+          .code,
+      0);
   for (const auto& entry : fs::directory_iterator(path("a"))) {
     const std::string name = entry.path().filename().string();
     EXPECT_EQ(content("a/" + name), content("b/" + name)) << name;

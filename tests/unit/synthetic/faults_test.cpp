@@ -31,8 +31,10 @@ TEST_P(GivenFaults, MeshAndSticksHoldTheCutoffs) {
   const SyntheticModel model(o);
   // A chord's sagitta: amplitude * wave number^2 * spacing^2 / 8, and a little for the bend.
   const double wave = 2.0 * 3.14159265 / (0.35 * o.size);
-  const double mesh_error = o.waviness * std::pow(wave * o.fault_mesh_size, 2) / 8.0 + (o.bend > 0.0 ? 1.0 : 1e-6);
-  const double stick_error = o.waviness * std::pow(wave * o.stick_spacing, 2) / 8.0 + (o.bend > 0.0 ? 4.0 : 1e-6);
+  const double mesh_error =
+      o.waviness * std::pow(wave * o.fault_mesh_size, 2) / 8.0 + (o.bend > 0.0 ? 1.0 : 1e-6);
+  const double stick_error =
+      o.waviness * std::pow(wave * o.stick_spacing, 2) / 8.0 + (o.bend > 0.0 ? 4.0 : 1e-6);
   for (std::size_t i = 0; i < model.faultCount(); ++i) {
     EXPECT_LT(farthest(model, i, model.faultMesh(i)), mesh_error);
     EXPECT_LT(farthest(model, i, FaultSurface::loft("F", model.faultSticks(i)).mesh), stick_error);

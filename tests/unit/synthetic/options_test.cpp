@@ -21,8 +21,12 @@ TEST(SyntheticOptions, BadValuesAreRejected) {
       [nan](SyntheticOptions& o) { o.noise = nan; },
       [](SyntheticOptions& o) { o.uneven = 1.1; },
       [nan](SyntheticOptions& o) { o.uneven = nan; },
-      [](SyntheticOptions& o) { o.holes = {{0.0, 0.0, -5.0}}; },
-      [](SyntheticOptions& o) { o.patches = {{{0.0, 0.0, 5.0}, 0.5}}; },
+      [](SyntheticOptions& o) {
+        o.holes = {{0.0, 0.0, -5.0}};
+      },
+      [](SyntheticOptions& o) {
+        o.patches = {{{0.0, 0.0, 5.0}, 0.5}};
+      },
       [](SyntheticOptions& o) { o.gap = -1.0; },
       [](SyntheticOptions& o) { o.smear = -1.0; },
       [](SyntheticOptions& o) { o.max_throw = 5000.0; },

@@ -21,7 +21,8 @@ TEST_P(Picks, SameBytesForEveryNumberOfThreads) {
   const SyntheticPicks four = model.picks(4);
   ASSERT_EQ(one.points.size(), 50001u);
   ASSERT_EQ(four.points.size(), 50001u);
-  EXPECT_EQ(std::memcmp(one.points.data(), four.points.data(), one.points.size() * sizeof(Vector3)), 0);
+  EXPECT_EQ(std::memcmp(one.points.data(), four.points.data(), one.points.size() * sizeof(Vector3)),
+            0);
   EXPECT_EQ(one.block, four.block);
   EXPECT_EQ(model.pick(777).position, one.points[777]);
 }
@@ -85,7 +86,8 @@ TEST(PickDensity, IsEvenByDefaultAndHasHolesAndPatches) {
   o.patches = {{{-1000.0, 0.0, 600.0}, 6.0}};
   picks = SyntheticModel(o).picks();
   EXPECT_EQ(countIn(picks, 1000.0, -500.0, 400.0), 0);
-  const double ratio = countIn(picks, -1000.0, 0.0, 500.0) / static_cast<double>(countIn(picks, 1500.0, 1500.0, 500.0));
+  const double ratio = countIn(picks, -1000.0, 0.0, 500.0) /
+                       static_cast<double>(countIn(picks, 1500.0, 1500.0, 500.0));
   EXPECT_NEAR(ratio, 6.0, 0.8);
 }
 
@@ -127,7 +129,8 @@ TEST(PickGap, KeepsPicksAwayFromTheFaultOnlyWhereThereIsOne) {
   int beyond = 0;
   for (std::uint64_t i = 0; i < o.picks; ++i) {
     const SyntheticPick pick = model.pick(i);
-    const double distance = std::abs(model.faultOffset(0, pick.truth)) * std::sin(60.0 * 3.14159265 / 180.0);
+    const double distance =
+        std::abs(model.faultOffset(0, pick.truth)) * std::sin(60.0 * 3.14159265 / 180.0);
     EXPECT_FALSE(distance < 79.9 && pick.truth.y() < tip.y() - 50.0);
     beyond += distance < 80.0 ? 1 : 0;
     EXPECT_GT((pick.truth - tip).norm(), 79.0);
@@ -148,7 +151,8 @@ TEST(PickSmear, MovesPicksNearTheFaultAcrossItAndKeepsTheirHeight) {
     EXPECT_LE(shift, 60.0);
     moved += shift > 0.0 ? 1 : 0;
     if (shift > 0.0) {
-      EXPECT_LT(std::abs(model.faultOffset(0, pick.truth)), 60.0 / std::sin(60.0 * 3.14159265 / 180.0) + 0.1);
+      EXPECT_LT(std::abs(model.faultOffset(0, pick.truth)),
+                60.0 / std::sin(60.0 * 3.14159265 / 180.0) + 0.1);
     }
     wrong_side += model.blockOf(pick.position) != pick.block ? 1 : 0;
   }

@@ -5,6 +5,7 @@
 #include "graben/mesh/components.h"
 #include "graben/mesh/normals.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace graben {
@@ -31,6 +32,18 @@ bool atTip(const SyntheticModel& model, const Vector3& p) {
               ((other.points.front() - p).norm() < 1e-6 || (other.points.back() - p).norm() < 1e-6))
             return true;
   return false;
+}
+
+double smallestAngle(const TriangleMesh& mesh) {
+  double least = 180.0;
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3& a = mesh.vertices[static_cast<std::size_t>(t[k])];
+      const Vector3 u = (mesh.vertices[static_cast<std::size_t>(t[(k + 1) % 3])] - a).normalized();
+      const Vector3 v = (mesh.vertices[static_cast<std::size_t>(t[(k + 2) % 3])] - a).normalized();
+      least = std::min(least, std::acos(std::clamp(u.dot(v), -1.0, 1.0)) * 180.0 / 3.14159265);
+    }
+  return least;
 }
 
 double missOfFaults(const SyntheticModel& model, const Vector3& p) {
@@ -72,7 +85,8 @@ TEST_P(Truth, CutoffsEndAtTheEdgeATipOrAnotherFault) {
       int faults = 0;
       for (std::size_t i = 0; i < model.faultCount(); ++i)
         faults += std::abs(model.faultOffset(i, end)) < 1e-6 ? 1 : 0;
-      EXPECT_TRUE(onAreaEdge(model.options(), end) || faults == 2 || atTip(model, end)) << end.transpose();
+      EXPECT_TRUE(onAreaEdge(model.options(), end) || faults == 2 || atTip(model, end))
+          << end.transpose();
     }
 }
 
@@ -89,6 +103,7 @@ TEST_P(Truth, MeshesAreCleanAndExact) {
     for (Index edge = 0; edge < static_cast<Index>(3 * mesh.triangles.size()); ++edge)
       ASSERT_NE(adjacency.twin(edge), EdgeAdjacency::kNonManifold);
     EXPECT_EQ(connectedComponents(mesh).triangle_count.size(), 1u);
+    EXPECT_GT(smallestAngle(mesh), 10.0);
     const auto loops = borderLoops(mesh, adjacency);
     ASSERT_EQ(loops.size(), 1u);
     for (const Index v : loops[0]) {
@@ -115,8 +130,10 @@ TEST_P(Truth, NormalsAreTheSlopeOfTheHeights) {
   for (std::uint64_t i = 0; i < 300; ++i) {
     const SyntheticPick pick = model.pick(i);
     const double x = pick.truth.x(), y = pick.truth.y();
-    const double dx = model.sheetHeight(pick.sheet, x + d, y) - model.sheetHeight(pick.sheet, x - d, y);
-    const double dy = model.sheetHeight(pick.sheet, x, y + d) - model.sheetHeight(pick.sheet, x, y - d);
+    const double dx =
+        model.sheetHeight(pick.sheet, x + d, y) - model.sheetHeight(pick.sheet, x - d, y);
+    const double dy =
+        model.sheetHeight(pick.sheet, x, y + d) - model.sheetHeight(pick.sheet, x, y - d);
     const Vector3 expected = Vector3(dx / (2.0 * d), dy / (2.0 * d), -1.0).normalized();
     EXPECT_LT((model.sheetNormal(pick.sheet, x, y) - expected).norm(), 2e-5) << x << " " << y;
   }
@@ -130,8 +147,10 @@ TEST_P(Truth, EveryPointIsInItsBlock) {
     const SyntheticPick pick = model.pick(i);
     EXPECT_EQ(model.blockOf(pick.truth), pick.block);
     EXPECT_TRUE(model.sheetCovers(pick.sheet, pick.truth.x(), pick.truth.y()));
-    EXPECT_NEAR(model.sheetHeight(pick.sheet, pick.truth.x(), pick.truth.y()), pick.truth.z(), 1e-8);
-    EXPECT_NEAR(model.truthHeight(pick.block, pick.truth.x(), pick.truth.y()), pick.truth.z(), 1e-8);
+    EXPECT_NEAR(model.sheetHeight(pick.sheet, pick.truth.x(), pick.truth.y()), pick.truth.z(),
+                1e-8);
+    EXPECT_NEAR(model.truthHeight(pick.block, pick.truth.x(), pick.truth.y()), pick.truth.z(),
+                1e-8);
     EXPECT_LT(model.distanceToTruth(pick.block, pick.truth), 1e-8);
   }
 }
@@ -149,7 +168,8 @@ TEST(TruthTip, ThrowFallsAsASquareRootAndTheHorizonGoesOnBeyond) {
     for (const CutoffLine& line : lines) {
       const Vector3* best = &line.points[0];
       for (const Vector3& p : line.points)
-        if (std::abs((p - tip).head<2>().norm() - distance) < std::abs((*best - tip).head<2>().norm() - distance))
+        if (std::abs((p - tip).head<2>().norm() - distance) <
+            std::abs((*best - tip).head<2>().norm() - distance))
           best = &p;
       heights[line.side > 0 ? 1 : 0] = best->z();
     }
@@ -174,7 +194,8 @@ TEST(TruthReverse, SheetsOverlapAndNormalFaultLeavesAGap) {
     for (int i = 0; i < 200; ++i)
       for (int j = 0; j < 200; ++j) {
         const double x = -2990.0 + 29.9 * i, y = -2990.0 + 29.9 * j;
-        const int covers = (model.sheetCovers(0, x, y) ? 1 : 0) + (model.sheetCovers(1, x, y) ? 1 : 0);
+        const int covers =
+            (model.sheetCovers(0, x, y) ? 1 : 0) + (model.sheetCovers(1, x, y) ? 1 : 0);
         both += covers == 2 ? 1 : 0;
         none += covers == 0 ? 1 : 0;
       }
@@ -194,6 +215,28 @@ TEST(TruthReverse, TipsOfReverseFaultsWorkToo) {
   EXPECT_EQ(borderLoops(meshes[0], EdgeAdjacency(meshes[0])).size(), 1u);
 }
 
+TEST(TruthMesh, CornersWhereTwoFaultsMeetAreVertices) {
+  for (const auto& [kind, blocks] :
+       {std::pair(SyntheticKind::Branch, std::vector<std::size_t>{1, 2}),
+        std::pair(SyntheticKind::Cross, std::vector<std::size_t>{0, 1, 2, 3})}) {
+    const SyntheticModel model(SyntheticOptions::of(kind));
+    for (double resolution = 22.0; resolution < 60.0; resolution += 7.3) {
+      const std::vector<TriangleMesh> meshes = model.truthMeshes(resolution);
+      for (const std::size_t block : blocks) {
+        int corners = 0;
+        for (const Vector3& p : meshes[block].vertices)
+          corners +=
+              std::abs(model.faultOffset(0, p)) < 1e-6 && std::abs(model.faultOffset(1, p)) < 1e-6
+                  ? 1
+                  : 0;
+        EXPECT_GT(smallestAngle(meshes[block]), 7.0)
+            << "block " << block << " at resolution " << resolution;
+        EXPECT_EQ(corners, 1) << "block " << block << " at resolution " << resolution;
+      }
+    }
+  }
+}
+
 TEST(TruthMesh, ConvergesToTheTruth) {
   const SyntheticModel model(SyntheticOptions::of(SyntheticKind::Listric));
   double last = 1e300;
@@ -201,9 +244,12 @@ TEST(TruthMesh, ConvergesToTheTruth) {
     double worst = 0.0;
     for (const TriangleMesh& mesh : model.truthMeshes(resolution))
       for (const Triangle& t : mesh.triangles) {
-        const Vector3 c = (mesh.vertices[static_cast<std::size_t>(t[0])] + mesh.vertices[static_cast<std::size_t>(t[1])] +
-                           mesh.vertices[static_cast<std::size_t>(t[2])]) / 3.0;
-        worst = std::max(worst, model.distanceToTruth(mesh.piece[static_cast<std::size_t>(t[0])], c));
+        const Vector3 c = (mesh.vertices[static_cast<std::size_t>(t[0])] +
+                           mesh.vertices[static_cast<std::size_t>(t[1])] +
+                           mesh.vertices[static_cast<std::size_t>(t[2])]) /
+                          3.0;
+        worst =
+            std::max(worst, model.distanceToTruth(mesh.piece[static_cast<std::size_t>(t[0])], c));
       }
     EXPECT_LT(worst, last / 3.0);
     last = worst;

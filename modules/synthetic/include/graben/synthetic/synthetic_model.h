@@ -27,14 +27,16 @@ struct CutoffLine {
   Index fault = 0;
   int side = 0; ///< -1: cutoff of the footwall, +1: of the hanging wall
   Index block = 0;
-  /// On the fault and on the sheet to 1e-6 m (at the tip, where the sheet is infinitely steep, to what rounding x, y allows).
-  /// The ends are at the area's edge, the tip or another cutoff line.
+  /// On the fault and on the sheet to 1e-6 m (at the tip, where the sheet is infinitely steep, to
+  /// what rounding x, y allows). The ends are at the area's edge, the tip or another cutoff line.
   Points points;
 };
 
-/// A faulted horizon known exactly. All points, normals and meshes are in the user's frame of the options.
+/// A faulted horizon known exactly. All points, normals and meshes are in the user's frame of the
+/// options.
 ///
-/// Immutable; all methods are const, thread-safe and deterministic (same bytes for any number of threads).
+/// Immutable; all methods are const, thread-safe and deterministic (same bytes for any number of
+/// threads).
 class SyntheticModel {
 public:
   /// \throw InvalidInputError if an option is out of range, or faults that must not meet do
@@ -56,22 +58,24 @@ public:
   /// The first options().picks picks, in parallel; O(n). \param[in] threads 0: one per processor
   SyntheticPicks picks(unsigned threads = 0) const;
 
-  /// Fault \a i as given to an interpreter (with overhang, shift and branch gap): a grid of triangles, normals towards the
-  /// hanging wall. Its vertices lie on the fault; O(vertices).
+  /// Fault \a i as given to an interpreter (with overhang, shift and branch gap): a grid of
+  /// triangles, normals towards the hanging wall. Its vertices lie on the fault; O(vertices).
   TriangleMesh faultMesh(std::size_t i) const;
 
   /// The same as sticks, each from top to bottom, in order along strike.
   std::vector<FaultStick> faultSticks(std::size_t i) const;
 
-  /// The true horizon of each block, cut exactly: border vertices at a fault lie on the fault and on the sheet to 1e-6 m; normals are exact
-  /// and `piece` is the block. \param[in] resolution edge length; 0: the picks' spacing, but at least a 500th of the size
+  /// The true horizon of each block, cut exactly: border vertices at a fault lie on the fault and
+  /// on the sheet to 1e-6 m; normals are exact and `piece` is the block. \param[in] resolution edge
+  /// length; 0: the picks' spacing, but at least a 500th of the size
   std::vector<TriangleMesh> truthMeshes(double resolution = 0.0) const;
 
-  /// The true cutoff lines. \param[in] resolution point distance along strike; 0: as for truthMeshes
+  /// The true cutoff lines. \param[in] resolution point distance along strike; 0: as for
+  /// truthMeshes
   std::vector<CutoffLine> cutoffLines(double resolution = 0.0) const;
 
-  /// z of a block's true horizon at x, y; past the block's border its smooth continuation. Where a block lies over itself
-  /// (reverse fault with a tip) the sheet that reaches farther past x, y.
+  /// z of a block's true horizon at x, y; past the block's border its smooth continuation. Where a
+  /// block lies over itself (reverse fault with a tip) the sheet that reaches farther past x, y.
   double truthHeight(Index block, double x, double y) const;
 
   /// Unit normal of the same, upwards in space.
@@ -84,14 +88,16 @@ public:
   /// True if the sheet covers x, y inside the area: not past one of its cutoffs.
   bool sheetCovers(Index sheet, double x, double y) const;
 
-  /// The block whose side of all faults a point in space is on, by the unlimited (not the given) fault surfaces.
+  /// The block whose side of all faults a point in space is on, by the unlimited (not the given)
+  /// fault surfaces.
   Index blockOf(const Vector3& p) const;
 
-  /// Distance to the tangent plane of the block's horizon over x, y of \a p, in local units: exact to second order.
+  /// Distance to the tangent plane of the block's horizon over x, y of \a p, in local units: exact
+  /// to second order.
   double distanceToTruth(Index block, const Vector3& p) const;
 
-  /// Horizontal distance along the fault's dip direction from the true fault (unlimited by its tip) to \a p, in local units; positive in
-  /// the hanging wall.
+  /// Horizontal distance along the fault's dip direction from the true fault (unlimited by its tip)
+  /// to \a p, in local units; positive in the hanging wall.
   double faultOffset(std::size_t fault, const Vector3& p) const;
 
 private:
