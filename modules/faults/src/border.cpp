@@ -14,20 +14,24 @@
 namespace graben::detail {
 namespace {
 
-constexpr double kFlat = 0.05;        // sine of the dip under which a triangle has none
-constexpr double kTurnCost = 0.15;    // of the fault's width: stretches shorter than about this do not change the way a border faces
-constexpr double kOnLine = 1e-6;      // of a border edge: how far off a tip line it may lie
-constexpr double kHole = -0.3;        // an outline facing its own centre this much is a hole's
+constexpr double kFlat = 0.05;     // sine of the dip under which a triangle has none
+constexpr double kTurnCost = 0.15; // of the fault's width: stretches shorter than about this do not
+                                   // change the way a border faces
+constexpr double kOnLine = 1e-6;   // of a border edge: how far off a tip line it may lie
+constexpr double kHole = -0.3;     // an outline facing its own centre this much is a hole's
 constexpr std::size_t kKinds = 4;
 
-Index nextInTriangle(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+Index nextInTriangle(Index h) {
+  return h % 3 == 2 ? h - 2 : h + 1;
+}
 
 Vector3 unit(const Vector3& v, const Vector3& otherwise) {
   const double length = v.norm();
   return length > 0.0 ? Vector3(v / length) : otherwise;
 }
 
-std::vector<std::vector<Index>> halfEdgeLoops(const TriangleMesh& mesh, const EdgeAdjacency& adjacency) {
+std::vector<std::vector<Index>> halfEdgeLoops(const TriangleMesh& mesh,
+                                              const EdgeAdjacency& adjacency) {
   std::vector<std::vector<Index>> loops;
   const auto count = static_cast<Index>(3 * mesh.triangles.size());
   std::vector<bool> done(static_cast<std::size_t>(count), false);
@@ -81,8 +85,12 @@ double distanceToLine(const Vector3& p, const Points& line) {
 bool onTipLine(const FaultSurface& fault, Index half_edge) {
   const double tolerance = kOnLine * edgeLength(fault.mesh, half_edge);
   return std::any_of(fault.tip_lines.begin(), fault.tip_lines.end(), [&](const Points& line) {
-    return distanceToLine(fault.mesh.vertices[static_cast<std::size_t>(startOf(fault.mesh, half_edge))], line) <= tolerance &&
-           distanceToLine(fault.mesh.vertices[static_cast<std::size_t>(endOf(fault.mesh, half_edge))], line) <= tolerance;
+    return distanceToLine(
+               fault.mesh.vertices[static_cast<std::size_t>(startOf(fault.mesh, half_edge))],
+               line) <= tolerance &&
+           distanceToLine(
+               fault.mesh.vertices[static_cast<std::size_t>(endOf(fault.mesh, half_edge))], line) <=
+               tolerance;
   });
 }
 
@@ -101,7 +109,8 @@ KindCosts costsOf(const FaultSurface& fault, const DipFrames& frames, Index half
 }
 
 /// The kinds of least cost around a loop whose first edge has kind \a first.
-std::vector<std::size_t> cheapestKinds(const std::vector<KindCosts>& costs, std::size_t first, double turn_cost) {
+std::vector<std::size_t> cheapestKinds(const std::vector<KindCosts>& costs, std::size_t first,
+                                       double turn_cost) {
   std::vector<std::array<std::size_t, kKinds>> came_from(costs.size());
   KindCosts sum;
   sum.fill(std::numeric_limits<double>::infinity());
@@ -130,13 +139,15 @@ std::vector<std::size_t> cheapestKinds(const std::vector<KindCosts>& costs, std:
   return kinds;
 }
 
-/// Cuts a loop into runs where the kind changes and at edges that are not on the border (non-manifold ones).
-void addRuns(const std::vector<Index>& loop, const std::vector<std::size_t>& kinds, const EdgeAdjacency& adjacency,
-             std::vector<BorderRun>& runs) {
+/// Cuts a loop into runs where the kind changes and at edges that are not on the border
+/// (non-manifold ones).
+void addRuns(const std::vector<Index>& loop, const std::vector<std::size_t>& kinds,
+             const EdgeAdjacency& adjacency, std::vector<BorderRun>& runs) {
   const std::size_t n = loop.size();
   const auto breaks = [&](std::size_t e) { // between edge e and the one before
     const std::size_t previous = (e + n - 1) % n;
-    return kinds[e] != kinds[previous] || !adjacency.isBorder(loop[e]) || !adjacency.isBorder(loop[previous]);
+    return kinds[e] != kinds[previous] || !adjacency.isBorder(loop[e]) ||
+           !adjacency.isBorder(loop[previous]);
   };
   std::size_t start = 0;
   while (start < n && !breaks(start))
@@ -161,7 +172,9 @@ Index startOf(const TriangleMesh& mesh, Index h) {
   return mesh.triangles[static_cast<std::size_t>(h / 3)][static_cast<std::size_t>(h % 3)];
 }
 
-Index endOf(const TriangleMesh& mesh, Index h) { return startOf(mesh, nextInTriangle(h)); }
+Index endOf(const TriangleMesh& mesh, Index h) {
+  return startOf(mesh, nextInTriangle(h));
+}
 
 double edgeLength(const TriangleMesh& mesh, Index h) {
   return (mesh.vertices[static_cast<std::size_t>(endOf(mesh, h))] -
@@ -178,7 +191,8 @@ std::vector<Index> verticesOf(const TriangleMesh& mesh, const BorderRun& run) {
   return vertices;
 }
 
-DipFrames::DipFrames(const TriangleMesh& mesh) : mesh_(mesh) {
+DipFrames::DipFrames(const TriangleMesh& mesh)
+    : mesh_(mesh) {
   Vector3 sum = Vector3::Zero();
   for (const Triangle& t : mesh.triangles) {
     const Vector3 area = areaNormal(mesh, t);
@@ -190,7 +204,8 @@ DipFrames::DipFrames(const TriangleMesh& mesh) : mesh_(mesh) {
 
 DipFrame DipFrames::at(Index triangle) const {
   DipFrame frame;
-  frame.normal = unit(areaNormal(mesh_, mesh_.triangles[static_cast<std::size_t>(triangle)]), Vector3::UnitZ());
+  frame.normal = unit(areaNormal(mesh_, mesh_.triangles[static_cast<std::size_t>(triangle)]),
+                      Vector3::UnitZ());
   Vector3 up = Vector3::UnitZ() - frame.normal.z() * frame.normal;
   if (up.norm() < kFlat)
     up = usual_up_ - usual_up_.dot(frame.normal) * frame.normal;
@@ -202,7 +217,8 @@ DipFrame DipFrames::at(Index triangle) const {
 Vector3 outwardOf(const TriangleMesh& mesh, Index h) {
   const Vector3 along = mesh.vertices[static_cast<std::size_t>(endOf(mesh, h))] -
                         mesh.vertices[static_cast<std::size_t>(startOf(mesh, h))];
-  return unit(along.cross(areaNormal(mesh, mesh.triangles[static_cast<std::size_t>(h / 3)])), Vector3::Zero());
+  return unit(along.cross(areaNormal(mesh, mesh.triangles[static_cast<std::size_t>(h / 3)])),
+              Vector3::Zero());
 }
 
 std::vector<BorderRun> outerBorderRuns(const FaultSurface& fault) {
@@ -211,7 +227,8 @@ std::vector<BorderRun> outerBorderRuns(const FaultSurface& fault) {
   const Components components = connectedComponents(mesh);
   std::vector<double> area(components.triangle_count.size(), 0.0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    area[static_cast<std::size_t>(components.of_triangle[t])] += 0.5 * areaNormal(mesh, mesh.triangles[t]).norm();
+    area[static_cast<std::size_t>(components.of_triangle[t])] +=
+        0.5 * areaNormal(mesh, mesh.triangles[t]).norm();
   const DipFrames frames(mesh);
   std::vector<BorderRun> runs;
   for (const std::vector<Index>& loop : halfEdgeLoops(mesh, adjacency)) {
@@ -223,27 +240,34 @@ std::vector<BorderRun> outerBorderRuns(const FaultSurface& fault) {
       costs.push_back(costsOf(fault, frames, h));
       perimeter += edgeLength(mesh, h);
     }
-    const double width = 2.0 * area[static_cast<std::size_t>(components.of_triangle[static_cast<std::size_t>(loop[0] / 3)])] /
+    const double width = 2.0 *
+                         area[static_cast<std::size_t>(
+                             components.of_triangle[static_cast<std::size_t>(loop[0] / 3)])] /
                          perimeter;
     // The loop starts at the longest edge that faces one way, whose kind is certain.
     std::size_t surest = 0;
-    const auto clearness = [&costs](std::size_t e) { return -*std::min_element(costs[e].begin(), costs[e].end()) +
-                                                            *std::max_element(costs[e].begin(), costs[e].end()); };
+    const auto clearness = [&costs](std::size_t e) {
+      return -*std::min_element(costs[e].begin(), costs[e].end()) +
+             *std::max_element(costs[e].begin(), costs[e].end());
+    };
     for (std::size_t e = 1; e < loop.size(); ++e)
       if (clearness(e) > clearness(surest))
         surest = e;
     std::vector<Index> turned = loop;
     std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(surest), turned.end());
     std::rotate(costs.begin(), costs.begin() + static_cast<std::ptrdiff_t>(surest), costs.end());
-    const auto first = static_cast<std::size_t>(std::min_element(costs[0].begin(), costs[0].end()) - costs[0].begin());
+    const auto first = static_cast<std::size_t>(std::min_element(costs[0].begin(), costs[0].end()) -
+                                                costs[0].begin());
     addRuns(turned, cheapestKinds(costs, first, kTurnCost * width), adjacency, runs);
   }
   return runs;
 }
 
-Points directionsAlong(const TriangleMesh& mesh, const BorderRun& run, const Points& edge_directions, double sigma) {
+Points directionsAlong(const TriangleMesh& mesh, const BorderRun& run,
+                       const Points& edge_directions, double sigma) {
   const std::size_t edges = run.half_edges.size();
-  std::vector<double> ends{0.0}; // distance along the run where each edge starts, and the whole length
+  std::vector<double> ends{
+      0.0}; // distance along the run where each edge starts, and the whole length
   for (const Index h : run.half_edges)
     ends.push_back(ends.back() + edgeLength(mesh, h));
   const double total = ends.back();
@@ -253,8 +277,10 @@ Points directionsAlong(const TriangleMesh& mesh, const BorderRun& run, const Poi
     for (std::size_t e = 0; e < edges; ++e) {
       double away = std::max({0.0, ends[e] - ends[v], ends[v] - ends[e + 1]});
       if (run.closed)
-        away = std::min(away, std::max(0.0, total - std::max(ends[e + 1] - ends[v], ends[v] - ends[e])));
-      const double weight = std::isfinite(sigma) ? std::exp(-0.5 * (away / sigma) * (away / sigma)) : 1.0;
+        away = std::min(away,
+                        std::max(0.0, total - std::max(ends[e + 1] - ends[v], ends[v] - ends[e])));
+      const double weight =
+          std::isfinite(sigma) ? std::exp(-0.5 * (away / sigma) * (away / sigma)) : 1.0;
       sum += weight * (ends[e + 1] - ends[e]) * edge_directions[e];
     }
     directions.push_back(unit(sum, edge_directions[std::min(v, edges - 1)]));

@@ -7,7 +7,8 @@ namespace graben::detail {
 /// Which way a stretch of a fault's border faces.
 enum class BorderKind { Top, Right, Bottom, Left };
 
-/// Border edges one after the other that face the same way, as half-edges 3 t + e in the direction of their triangles.
+/// Border edges one after the other that face the same way, as half-edges 3 t + e in the direction
+/// of their triangles.
 struct BorderRun {
   BorderKind kind = BorderKind::Top;
   std::vector<Index> half_edges;
@@ -43,12 +44,15 @@ private:
 /// The in-plane direction away from the surface at a border edge.
 Vector3 outwardOf(const TriangleMesh& mesh, Index half_edge);
 
-/// The runs of all border loops but holes. Every edge gets the way it faces, with turns that are short against the fault's width
-/// left out (the labels of least cost around each loop). Edges on the fault's tip lines are lateral.
+/// The runs of all border loops but holes. Every edge gets the way it faces, with turns that are
+/// short against the fault's width left out (the labels of least cost around each loop). Edges on
+/// the fault's tip lines are lateral.
 std::vector<BorderRun> outerBorderRuns(const FaultSurface& fault);
 
-/// One unit direction per vertex of the run: the mean of its edges' directions, weighted by length and a Gaussian of the distance
-/// along the run; an infinite \a sigma gives all vertices the same one.
-Points directionsAlong(const TriangleMesh& mesh, const BorderRun& run, const Points& edge_directions, double sigma);
+/// One unit direction per vertex of the run: the mean of its edges' directions, weighted by length
+/// and a Gaussian of the distance along the run; an infinite \a sigma gives all vertices the same
+/// one.
+Points directionsAlong(const TriangleMesh& mesh, const BorderRun& run,
+                       const Points& edge_directions, double sigma);
 
 } // namespace graben::detail

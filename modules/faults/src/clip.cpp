@@ -28,9 +28,12 @@ SignedSurface::Value SignedSurface::at(const Vector3& p) const {
   return {normal.at_border ? height : std::copysign(found.distance, height), found.distance};
 }
 
-double ClipBeyond::beyond(const Vector3& p) const { return -side * surface.at(p).signed_distance; }
+double ClipBeyond::beyond(const Vector3& p) const {
+  return -side * surface.at(p).signed_distance;
+}
 
-std::vector<bool> ClipBeyond::connectedBeyond(const TriangleMesh& mesh, const std::vector<Index>& seeds) const {
+std::vector<bool> ClipBeyond::connectedBeyond(const TriangleMesh& mesh,
+                                              const std::vector<Index>& seeds) const {
   const auto neighbours = neighboursOf(mesh);
   std::vector<bool> found(mesh.vertices.size(), false);
   std::vector<Index> queue;
@@ -54,9 +57,10 @@ std::vector<bool> ClipBeyond::connectedBeyond(const TriangleMesh& mesh, const st
     for (const Index w : neighbours[static_cast<std::size_t>(queue[k])]) {
       if (!visit(w))
         return {};
-      passes_through = passes_through || (!found[static_cast<std::size_t>(w)] &&
-                                          surface.bvh().hits(mesh.vertices[static_cast<std::size_t>(queue[k])],
-                                                             mesh.vertices[static_cast<std::size_t>(w)]));
+      passes_through =
+          passes_through || (!found[static_cast<std::size_t>(w)] &&
+                             surface.bvh().hits(mesh.vertices[static_cast<std::size_t>(queue[k])],
+                                                mesh.vertices[static_cast<std::size_t>(w)]));
     }
   return passes_through ? found : std::vector<bool>();
 }
@@ -77,7 +81,8 @@ bool ClipBeyond::operator()(TriangleMesh& mesh, const std::vector<Index>& seeds)
     return false;
   std::map<std::pair<Index, Index>, Index> cuts;
   const auto cut = [&](Index kept, Index away) {
-    const auto [entry, added] = cuts.insert({{kept, away}, static_cast<Index>(mesh.vertices.size())});
+    const auto [entry, added] =
+        cuts.insert({{kept, away}, static_cast<Index>(mesh.vertices.size())});
     if (added) {
       const Vector3 p = cutPoint(mesh.vertices[static_cast<std::size_t>(kept)],
                                  mesh.vertices[static_cast<std::size_t>(away)]);
@@ -94,7 +99,9 @@ bool ClipBeyond::operator()(TriangleMesh& mesh, const std::vector<Index>& seeds)
       triangles.push_back(t);
   };
   for (Triangle t : mesh.triangles) {
-    const auto is_gone = [&](std::size_t c) { return static_cast<bool>(gone[static_cast<std::size_t>(t[c])]); };
+    const auto is_gone = [&](std::size_t c) {
+      return static_cast<bool>(gone[static_cast<std::size_t>(t[c])]);
+    };
     const int count = is_gone(0) + is_gone(1) + is_gone(2);
     if (count == 0)
       triangles.push_back(t);

@@ -16,14 +16,15 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Extends one run with directions smoothed over \a sigma.
 /// \return the number of triangles that had to be left out
-std::size_t extendRun(TriangleMesh& mesh, const detail::BorderRun& run, const Points& edge_directions, double distance,
-                      double sigma) {
+std::size_t extendRun(TriangleMesh& mesh, const detail::BorderRun& run,
+                      const Points& edge_directions, double distance, double sigma) {
   const Points directions = detail::directionsAlong(mesh, run, edge_directions, sigma);
   std::vector<Index> inner = detail::verticesOf(mesh, run);
   std::vector<Index> outer;
   for (std::size_t i = 0; i < inner.size(); ++i) {
     outer.push_back(static_cast<Index>(mesh.vertices.size()));
-    mesh.vertices.push_back(mesh.vertices[static_cast<std::size_t>(inner[i])] + distance * directions[i]);
+    mesh.vertices.push_back(mesh.vertices[static_cast<std::size_t>(inner[i])] +
+                            distance * directions[i]);
   }
   if (run.closed) {
     inner.push_back(inner.front());
@@ -36,7 +37,8 @@ std::size_t extendRun(TriangleMesh& mesh, const detail::BorderRun& run, const Po
 }
 
 /// Extends one run, with directions as little smoothed as gives the fewest folds.
-void extendRun(TriangleMesh& mesh, const detail::BorderRun& run, const Points& edge_directions, double distance) {
+void extendRun(TriangleMesh& mesh, const detail::BorderRun& run, const Points& edge_directions,
+               double distance) {
   const std::size_t vertices = mesh.vertices.size();
   const std::size_t triangles = mesh.triangles.size();
   double best_sigma = 0.0;
@@ -56,7 +58,8 @@ void extendRun(TriangleMesh& mesh, const detail::BorderRun& run, const Points& e
 }
 
 /// Tip lines that end at a corner go on with it.
-void extendTipLines(std::vector<Points>& tip_lines, const Vector3& corner, const Vector3& extended) {
+void extendTipLines(std::vector<Points>& tip_lines, const Vector3& corner,
+                    const Vector3& extended) {
   for (Points& line : tip_lines)
     if (line.front() == corner)
       line.insert(line.begin(), extended);

@@ -11,7 +11,8 @@
 namespace graben {
 namespace {
 
-constexpr double kOnFault = 1e-11; // distance, relative to the size of the coordinates, that counts as on the fault
+constexpr double kOnFault =
+    1e-11; // distance, relative to the size of the coordinates, that counts as on the fault
 
 void check(const FaultSurface& fault) {
   const std::string stage = "building the fault network";
@@ -20,13 +21,17 @@ void check(const FaultSurface& fault) {
   validate(fault.mesh, stage + ", fault " + fault.name);
 }
 
-Bounds boundsOfSegment(const Vector3& a, const Vector3& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
+Bounds boundsOfSegment(const Vector3& a, const Vector3& b) {
+  return {a.cwiseMin(b), a.cwiseMax(b)};
+}
 
 } // namespace
 
-FaultNetwork::FaultNetwork(std::vector<FaultSurface> faults, double branch_reach) : faults_(std::move(faults)) {
+FaultNetwork::FaultNetwork(std::vector<FaultSurface> faults, double branch_reach)
+    : faults_(std::move(faults)) {
   if (!std::isfinite(branch_reach) || branch_reach < 0.0)
-    throw InvalidInputError("building the fault network", "The branch reach must be zero or positive.");
+    throw InvalidInputError("building the fault network",
+                            "The branch reach must be zero or positive.");
   for (const FaultSurface& fault : faults_)
     check(fault);
   if (branch_reach > 0.0)
@@ -46,13 +51,16 @@ bool FaultNetwork::crosses(const Vector3& a, const Vector3& b) const {
   const Bounds box = boundsOfSegment(a, b);
   if (!box.overlaps(bounds_))
     return false;
-  return std::any_of(bvhs_.begin(), bvhs_.end(),
-                     [&](const TriangleBvh& bvh) { return box.overlaps(bvh.bounds()) && bvh.hits(a, b); });
+  return std::any_of(bvhs_.begin(), bvhs_.end(), [&](const TriangleBvh& bvh) {
+    return box.overlaps(bvh.bounds()) && bvh.hits(a, b);
+  });
 }
 
-FaultCrossing FaultNetwork::crossing(std::size_t fault, const SegmentHit& hit, const Vector3& run) const {
+FaultCrossing FaultNetwork::crossing(std::size_t fault, const SegmentHit& hit,
+                                     const Vector3& run) const {
   const TriangleMesh& mesh = faults_[fault].mesh;
-  const double along = areaNormal(mesh, mesh.triangles[static_cast<std::size_t>(hit.triangle)]).dot(run);
+  const double along =
+      areaNormal(mesh, mesh.triangles[static_cast<std::size_t>(hit.triangle)]).dot(run);
   return {static_cast<Index>(fault), hit.triangle, hit.parameter, hit.point, along < 0.0 ? -1 : 1};
 }
 
@@ -71,14 +79,16 @@ std::optional<FaultCrossing> FaultNetwork::firstCrossing(const Vector3& a, const
   return first;
 }
 
-std::vector<FaultCrossing> FaultNetwork::crossings(std::size_t fault, const Vector3& a, const Vector3& b) const {
+std::vector<FaultCrossing> FaultNetwork::crossings(std::size_t fault, const Vector3& a,
+                                                   const Vector3& b) const {
   std::vector<FaultCrossing> result;
   for (const SegmentHit& hit : bvhs_[fault].allHits(a, b))
     result.push_back(crossing(fault, hit, b - a));
   return result;
 }
 
-FaultPoint FaultNetwork::faultPoint(std::size_t fault, const Vector3& p, const MeshPoint& found) const {
+FaultPoint FaultNetwork::faultPoint(std::size_t fault, const Vector3& p,
+                                    const MeshPoint& found) const {
   if (found.triangle < 0)
     return {};
   const PseudoNormals::Normal normal = normals_[fault].at(found);
@@ -115,10 +125,13 @@ FaultPoint FaultNetwork::nearest(std::size_t fault, const Vector3& p, double max
   return faultPoint(fault, p, bvhs_[fault].nearest(p, max_distance));
 }
 
-int FaultNetwork::side(std::size_t fault, const Vector3& p) const { return nearest(fault, p).side; }
+int FaultNetwork::side(std::size_t fault, const Vector3& p) const {
+  return nearest(fault, p).side;
+}
 
 bool FaultNetwork::mayTouch(const Bounds& box) const {
-  return box.overlaps(bounds_) && std::any_of(bvhs_.begin(), bvhs_.end(), [&box](const TriangleBvh& bvh) {
+  return box.overlaps(bounds_) &&
+         std::any_of(bvhs_.begin(), bvhs_.end(), [&box](const TriangleBvh& bvh) {
            return box.overlaps(bvh.bounds()) && bvh.mayTouch(box);
          });
 }

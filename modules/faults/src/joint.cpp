@@ -9,22 +9,29 @@
 namespace graben::detail {
 namespace {
 
-constexpr double kOvershoot = 0.01;    // of the reach: how far a branch goes through its main fault
-constexpr double kOnMain = 0.03;       // of the reach: a border this near lies on the main fault
-constexpr double kGrazing = 0.15;      // sine of the smallest angle at which a branch can meet its main fault,
+constexpr double kOvershoot = 0.01; // of the reach: how far a branch goes through its main fault
+constexpr double kOnMain = 0.03;    // of the reach: a border this near lies on the main fault
+constexpr double kGrazing =
+    0.15; // sine of the smallest angle at which a branch can meet its main fault,
 constexpr double kGrazingTouch = 0.02; // and where it lies on it already
-constexpr double kOnward = 3.0;        // a border part of which is within the reach is joined as far as this many times the reach
+constexpr double kOnward =
+    3.0; // a border part of which is within the reach is joined as far as this many times the reach
 constexpr double kLateralShare = 0.25; // of a lateral border that must be within the reach
 constexpr double kDipShare = 0.5;      // of an upper or lower border
-constexpr double kTouchLength = 0.25;  // of the reach: length that is enough where the border lies on the main fault
-constexpr double kBeyond = 0.1;        // of the reach: what still lies farther beyond after clipping crosses, and is no branch
-constexpr double kStep = 0.25;         // of the reach: lateral borders are looked at in steps no longer
-constexpr int kMostSteps = 16;         // per border edge
+constexpr double kTouchLength =
+    0.25; // of the reach: length that is enough where the border lies on the main fault
+constexpr double kBeyond =
+    0.1; // of the reach: what still lies farther beyond after clipping crosses, and is no branch
+constexpr double kStep = 0.25; // of the reach: lateral borders are looked at in steps no longer
+constexpr int kMostSteps = 16; // per border edge
 constexpr int kMostClips = 64;
-constexpr double kLevel = 0.35; // cosine of the angle up to which a tip goes on along strike, however obliquely it runs
+constexpr double kLevel =
+    0.35; // cosine of the angle up to which a tip goes on along strike, however obliquely it runs
 
-/// The way a fault goes on at its border, in its plane: along strike at its tips, so that it keeps its depth range, else straight outward.
-Vector3 onwardOf(const TriangleMesh& mesh, const DipFrames& frames, const BorderRun& run, Index half_edge) {
+/// The way a fault goes on at its border, in its plane: along strike at its tips, so that it keeps
+/// its depth range, else straight outward.
+Vector3 onwardOf(const TriangleMesh& mesh, const DipFrames& frames, const BorderRun& run,
+                 Index half_edge) {
   const Vector3 outward = outwardOf(mesh, half_edge);
   if (!run.lateral())
     return outward;
@@ -38,7 +45,15 @@ Vector3 onwardOf(const TriangleMesh& mesh, const DipFrames& frames, const Border
 } // namespace
 
 Joint::Joint(const FaultSurface& branch, const SignedSurface& main, double reach)
-    : fault_(branch), mesh_(fault_.mesh), main_(main), reach_(reach), overshoot_(kOvershoot * reach) {
+    : fault_(branch)
+    , mesh_(fault_.mesh)
+    , main_(main)
+    , reach_(reach)
+    , overshoot_(kOvershoot * reach) {
+  // Vertices are added and dropped: what else is known of them would not fit any more.
+  mesh_.normals.clear();
+  mesh_.piece.clear();
+  mesh_.scalars.clear();
   splitNearBorders();
 }
 
@@ -58,7 +73,8 @@ std::vector<FaultBranch> Joint::join() {
   extend(found);
   // What was clipped may end in a border too ragged to be looked at again.
   for (const FaultBranch& c : clipped)
-    if (std::none_of(branches.begin(), branches.end(), [&c](const FaultBranch& b) { return b.side == c.side; }))
+    if (std::none_of(branches.begin(), branches.end(),
+                     [&c](const FaultBranch& b) { return b.side == c.side; }))
       branches.push_back(c);
   return branches;
 }
@@ -84,7 +100,8 @@ void Joint::splitNearBorders() {
       const Index b = endOf(before, h);
       const Vector3& from = before.vertices[static_cast<std::size_t>(a)];
       const Vector3& to = before.vertices[static_cast<std::size_t>(b)];
-      const double steps = std::ceil(std::min<double>(kMostSteps, (to - from).norm() / (kStep * reach_)));
+      const double steps =
+          std::ceil(std::min<double>(kMostSteps, (to - from).norm() / (kStep * reach_)));
       std::vector<Index> points;
       for (double k = 1.0; k < steps; k += 1.0) {
         points.push_back(static_cast<Index>(mesh_.vertices.size()));
@@ -136,7 +153,9 @@ std::vector<Joint::Stretch> Joint::stretches() const {
 void Joint::addEdge(Stretch& s, Index half_edge, const BorderPoint& end) const {
   const double length = edgeLength(mesh_, half_edge);
   const auto [low, high] = std::minmax(s.points.back().meeting.along, end.meeting.along);
-  s.within_reach += high <= reach_ ? length : low >= reach_ ? 0.0 : length * (reach_ - low) / (high - low);
+  s.within_reach += high <= reach_  ? length
+                    : low >= reach_ ? 0.0
+                                    : length * (reach_ - low) / (high - low);
   s.length += length;
   s.touches = s.touches && std::max(std::abs(low), std::abs(high)) < kOnMain * reach_;
   s.farthest = s.half_edges.empty() ? high : std::max(s.farthest, high);

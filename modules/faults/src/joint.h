@@ -9,10 +9,12 @@ namespace graben::detail {
 /// Joins one fault (the branch) to one other (the main fault) wherever it ends there.
 class Joint {
 public:
-  /// Lateral borders near the main fault are split finely first, so that a border may meet it in part only.
+  /// Lateral borders near the main fault are split finely first, so that a border may meet it in
+  /// part only.
   Joint(const FaultSurface& branch, const SignedSurface& main, double reach);
 
-  /// \return one entry per joined part of the border, fault indices unset; none: not a branch of this main fault
+  /// \return one entry per joined part of the border, fault indices unset; none: not a branch of
+  /// this main fault
   std::vector<FaultBranch> join();
 
   /// The branch after join().
@@ -22,7 +24,8 @@ private:
   /// Where the branch's plane, continued from a border vertex, meets the main fault.
   struct Meeting {
     bool met = false;
-    double along = 0.0;  ///< distance outward; negative: the border lies beyond the main fault already
+    double along =
+        0.0; ///< distance outward; negative: the border lies beyond the main fault already
     double facing = 1.0; ///< sine of the angle between the branch and the main fault
     int side = 0;        ///< side of the main fault the branch comes from
   };
@@ -33,7 +36,8 @@ private:
     Meeting meeting;
   };
 
-  /// Part of a border run all of which meets the main fault from one side: half-edges and one point more.
+  /// Part of a border run all of which meets the main fault from one side: half-edges and one point
+  /// more.
   struct Stretch {
     std::vector<Index> half_edges;
     std::vector<BorderPoint> points;
@@ -48,7 +52,8 @@ private:
   bool nearMain(const BorderRun& run) const;
   Meeting meet(const Vector3& from, const Vector3& direction) const;
   std::vector<Stretch> stretches() const;
-  void addStretches(const BorderRun& run, const std::vector<BorderPoint>& points, std::vector<Stretch>& result) const;
+  void addStretches(const BorderRun& run, const std::vector<BorderPoint>& points,
+                    std::vector<Stretch>& result) const;
   void addEdge(Stretch& stretch, Index half_edge, const BorderPoint& end) const;
 
   bool clip(const Stretch& stretch);
@@ -56,7 +61,8 @@ private:
 
   double widthAt(const Meeting& meeting) const;
   Vector3 outerOf(const BorderPoint& point) const;
-  void refine(const BorderPoint& a, const BorderPoint& b, int depth, std::vector<BorderPoint>& between) const;
+  void refine(const BorderPoint& a, const BorderPoint& b, int depth,
+              std::vector<BorderPoint>& between) const;
   void extend(const std::vector<Stretch>& stretches);
 
   FaultSurface fault_;

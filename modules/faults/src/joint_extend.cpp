@@ -9,10 +9,12 @@
 namespace graben::detail {
 namespace {
 
-constexpr int kDeepest = 7;          // border edges are halved at most this often to follow the main fault
-constexpr double kDeviation = 0.25;  // of the overshoot: how far the new border may lie off the main fault's course
-constexpr double kSteepest = 0.2;    // sine of the angle up to which a strip goes on longer to get as far through
-constexpr double kNarrowest = 0.1;   // of the overshoot: a strip narrower than this adds nothing
+constexpr int kDeepest = 7; // border edges are halved at most this often to follow the main fault
+constexpr double kDeviation =
+    0.25; // of the overshoot: how far the new border may lie off the main fault's course
+constexpr double kSteepest =
+    0.2; // sine of the angle up to which a strip goes on longer to get as far through
+constexpr double kNarrowest = 0.1; // of the overshoot: a strip narrower than this adds nothing
 
 } // namespace
 
@@ -21,9 +23,12 @@ double Joint::widthAt(const Meeting& meeting) const {
   return width < kNarrowest * overshoot_ ? 0.0 : width;
 }
 
-Vector3 Joint::outerOf(const BorderPoint& p) const { return p.inner + widthAt(p.meeting) * p.direction; }
+Vector3 Joint::outerOf(const BorderPoint& p) const {
+  return p.inner + widthAt(p.meeting) * p.direction;
+}
 
-void Joint::refine(const BorderPoint& a, const BorderPoint& b, int depth, std::vector<BorderPoint>& between) const {
+void Joint::refine(const BorderPoint& a, const BorderPoint& b, int depth,
+                   std::vector<BorderPoint>& between) const {
   if (depth == kDeepest)
     return;
   BorderPoint middle;

@@ -11,8 +11,9 @@
 namespace graben {
 namespace {
 
-constexpr double kMostPoints = 2e7;       // of a lofted fault; more can only be a wrong spacing
-constexpr std::size_t kLargestTable = 4000000; // entries of the table that finds the best strip between two sticks
+constexpr double kMostPoints = 2e7; // of a lofted fault; more can only be a wrong spacing
+constexpr std::size_t kLargestTable =
+    4000000; // entries of the table that finds the best strip between two sticks
 
 double medianStep(const std::vector<FaultStick>& sticks) {
   std::vector<double> steps;
@@ -46,7 +47,8 @@ Steps evenSteps(std::size_t left, std::size_t right) {
   std::size_t i = 0;
   std::size_t j = 0;
   while (i + 1 < left || j + 1 < right) {
-    const bool on_left = j + 1 == right || (i + 1 < left && (i + 1) * (right - 1) <= (j + 1) * (left - 1));
+    const bool on_left =
+        j + 1 == right || (i + 1 < left && (i + 1) * (right - 1) <= (j + 1) * (left - 1));
     steps.push_back(on_left);
     (on_left ? i : j) += 1;
   }
@@ -83,7 +85,8 @@ Steps shortestSteps(const Points& left, const Points& right) {
   return steps;
 }
 
-void addStrip(TriangleMesh& mesh, const Points& left, Index first_left, const Points& right, Index first_right) {
+void addStrip(TriangleMesh& mesh, const Points& left, Index first_left, const Points& right,
+              Index first_right) {
   Index i = first_left;
   Index j = first_right;
   for (const bool on_left : shortestSteps(left, right)) {
@@ -99,15 +102,17 @@ void addStrip(TriangleMesh& mesh, const Points& left, Index first_left, const Po
 
 } // namespace
 
-FaultSurface FaultSurface::loft(std::string name, const std::vector<FaultStick>& sticks, double spacing) {
+FaultSurface FaultSurface::loft(std::string name, const std::vector<FaultStick>& sticks,
+                                double spacing) {
   const std::string stage = "lofting fault " + name;
   if (!std::isfinite(spacing) || spacing < 0.0)
     throw InvalidInputError(stage, "The spacing must be zero or positive.");
   const StickOrder order = orderSticks(sticks);
   if (order.order.size() < 2)
-    throw InvalidInputError(stage, "A fault needs two sticks or more with two distinct points each; " +
-                                       std::to_string(order.order.size()) + " of " + std::to_string(sticks.size()) +
-                                       " can be used.");
+    throw InvalidInputError(stage,
+                            "A fault needs two sticks or more with two distinct points each; " +
+                                std::to_string(order.order.size()) + " of " +
+                                std::to_string(sticks.size()) + " can be used.");
   std::vector<FaultStick> turned;
   double total = 0.0;
   for (const std::size_t i : order.order) {

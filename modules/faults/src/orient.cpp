@@ -9,7 +9,8 @@
 namespace graben::detail {
 namespace {
 
-constexpr double kUpright = 0.1; // vertical part of a unit normal under which a patch stands upright (dip over 84 degrees)
+constexpr double kUpright =
+    0.1; // vertical part of a unit normal under which a patch stands upright (dip over 84 degrees)
 
 struct EdgeUse {
   Index low, high;
@@ -42,20 +43,25 @@ std::vector<std::vector<Neighbour>> manifoldNeighbours(const TriangleMesh& mesh)
   std::vector<std::vector<Neighbour>> neighbours(mesh.triangles.size());
   for (std::size_t begin = 0; begin < uses.size();) {
     std::size_t end = begin + 1;
-    while (end < uses.size() && uses[end].low == uses[begin].low && uses[end].high == uses[begin].high)
+    while (end < uses.size() && uses[end].low == uses[begin].low &&
+           uses[end].high == uses[begin].high)
       ++end;
     if (end - begin == 2) {
       const EdgeUse& a = uses[begin];
       const EdgeUse& b = uses[begin + 1];
-      neighbours[static_cast<std::size_t>(a.triangle)].push_back({b.triangle, a.rising == b.rising});
-      neighbours[static_cast<std::size_t>(b.triangle)].push_back({a.triangle, a.rising == b.rising});
+      neighbours[static_cast<std::size_t>(a.triangle)].push_back(
+          {b.triangle, a.rising == b.rising});
+      neighbours[static_cast<std::size_t>(b.triangle)].push_back(
+          {a.triangle, a.rising == b.rising});
     }
     begin = end;
   }
   return neighbours;
 }
 
-void turn(Triangle& t) { std::swap(t[1], t[2]); }
+void turn(Triangle& t) {
+  std::swap(t[1], t[2]);
+}
 
 struct Patch {
   std::vector<Index> triangles;
@@ -120,10 +126,12 @@ void orientUp(TriangleMesh& mesh) {
   std::stable_sort(upright.begin(), upright.end(), [&](std::size_t a, std::size_t b) {
     return patches[a].normal.squaredNorm() > patches[b].normal.squaredNorm();
   });
-  // Among upright patches up alone decides little: the largest goes by it, the others follow what is agreed so far.
+  // Among upright patches up alone decides little: the largest goes by it, the others follow what
+  // is agreed so far.
   for (const std::size_t i : upright) {
     const double agreement = patches[i].normal.dot(agreed);
-    const bool undecided = std::abs(agreement) <= kUpright * patches[i].normal.norm() * agreed.norm();
+    const bool undecided =
+        std::abs(agreement) <= kUpright * patches[i].normal.norm() * agreed.norm();
     if (undecided ? pointsDown(patches[i].normal) : agreement < 0.0)
       flip(mesh, patches[i]);
     agreed += patches[i].normal;

@@ -18,7 +18,9 @@ Vector3 unitOrZero(const Vector3& v) {
   return length > kCancelled ? Vector3(v / length) : Vector3(Vector3::Zero());
 }
 
-double angleBetween(const Vector3& u, const Vector3& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); }
+double angleBetween(const Vector3& u, const Vector3& v) {
+  return std::atan2(u.cross(v).norm(), u.dot(v));
+}
 
 struct HalfEdge {
   Index low, high;
@@ -34,7 +36,8 @@ std::vector<HalfEdge> sortedHalfEdges(const std::vector<Triangle>& triangles) {
       edges.push_back({low, high, t, e});
     }
   std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-    return std::tie(a.low, a.high, a.triangle, a.edge) < std::tie(b.low, b.high, b.triangle, b.edge);
+    return std::tie(a.low, a.high, a.triangle, a.edge) <
+           std::tie(b.low, b.high, b.triangle, b.edge);
   });
   return edges;
 }
@@ -42,8 +45,11 @@ std::vector<HalfEdge> sortedHalfEdges(const std::vector<Triangle>& triangles) {
 } // namespace
 
 PseudoNormals::PseudoNormals(const TriangleMesh& mesh)
-    : triangles_(mesh.triangles), edges_(mesh.triangles.size()), corners_(mesh.vertices.size(), Vector3::Zero()),
-      border_edge_(mesh.triangles.size(), {false, false, false}), border_vertex_(mesh.vertices.size(), false) {
+    : triangles_(mesh.triangles)
+    , edges_(mesh.triangles.size())
+    , corners_(mesh.vertices.size(), Vector3::Zero())
+    , border_edge_(mesh.triangles.size(), {false, false, false})
+    , border_vertex_(mesh.vertices.size(), false) {
   faces_.reserve(triangles_.size());
   for (const Triangle& t : triangles_) {
     faces_.push_back(areaNormal(mesh, t).normalized());
@@ -93,7 +99,8 @@ PseudoNormals::Normal PseudoNormals::at(const MeshPoint& point) const {
     const std::size_t edge = positive[0] == 0 && positive[1] == 2 ? 2 : positive[0];
     normal = {edges_[t][edge], border_edge_[t][edge]};
   }
-  // Where faces cancel (a surface folded onto itself) the nearest triangle's own normal is all there is.
+  // Where faces cancel (a surface folded onto itself) the nearest triangle's own normal is all
+  // there is.
   if (normal.direction.isZero(0.0))
     normal.direction = faces_[t];
   return normal;

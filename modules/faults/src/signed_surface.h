@@ -5,11 +5,13 @@
 
 namespace graben::detail {
 
-/// A surface as the signed distance from it: positive on the side its normals point to; beside its border, from the plane
-/// that continues it.
+/// A surface as the signed distance from it: positive on the side its normals point to; beside its
+/// border, from the plane that continues it.
 class SignedSurface {
 public:
-  explicit SignedSurface(const TriangleMesh& mesh) : bvh_(mesh), normals_(mesh) {}
+  explicit SignedSurface(const TriangleMesh& mesh)
+      : bvh_(mesh)
+      , normals_(mesh) {}
 
   struct Value {
     double signed_distance = 0.0;

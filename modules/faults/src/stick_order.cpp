@@ -14,7 +14,7 @@ namespace graben {
 namespace detail {
 namespace {
 
-constexpr double kRepeat = 1e-10;       // of a stick's size: points closer than this are one
+constexpr double kRepeat = 1e-10;        // of a stick's size: points closer than this are one
 constexpr std::size_t kMaxSticks = 3000; // the search along strike holds a distance for every pair
 
 bool before(const Vector3& a, const Vector3& b) {
@@ -35,8 +35,9 @@ double length(const FaultStick& stick) {
 }
 
 bool before(const FaultStick& a, const FaultStick& b) {
-  return std::lexicographical_compare(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
-                                      [](const Vector3& p, const Vector3& q) { return before(p, q); });
+  return std::lexicographical_compare(
+      a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+      [](const Vector3& p, const Vector3& q) { return before(p, q); });
 }
 
 FaultStick cleanedStick(const FaultStick& stick, bool& reversed) {
@@ -51,9 +52,6 @@ FaultStick cleanedStick(const FaultStick& stick, bool& reversed) {
   if (finite.size() < 2)
     return {};
   const double repeat = kRepeat * box.diagonal();
-  // A stick that comes back to its first point was closed by mistake: its end tells nothing about which way it runs.
-  while (finite.size() > 1 && (finite.back() - finite.front()).norm() <= repeat)
-    finite.pop_back();
   reversed = higher(finite.back(), finite.front());
   if (reversed)
     std::reverse(finite.begin(), finite.end());
@@ -84,16 +82,19 @@ StickOrder orderSticks(const std::vector<FaultStick>& sticks) {
   if (cleaned.size() > detail::kMaxSticks)
     throw InvalidInputError("ordering fault sticks",
                             std::to_string(cleaned.size()) + " sticks are more than the " +
-                                std::to_string(detail::kMaxSticks) + " that can be ordered. Thin them or split the fault.");
+                                std::to_string(detail::kMaxSticks) +
+                                " that can be ordered. Thin them or split the fault.");
   std::vector<std::size_t> sorted(cleaned.size());
   std::iota(sorted.begin(), sorted.end(), std::size_t{0});
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](std::size_t a, std::size_t b) { return detail::before(cleaned[a], cleaned[b]); });
+  std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
+    return detail::before(cleaned[a], cleaned[b]);
+  });
   std::vector<FaultStick> in_order;
   for (const std::size_t i : sorted)
     in_order.push_back(cleaned[i]);
 
-  // Sticks run the way their neighbour does; which of the two ways is decided for all of them together.
+  // Sticks run the way their neighbour does; which of the two ways is decided for all of them
+  // together.
   Vector3 previous = Vector3::Zero();
   double fall = 0.0;
   for (const std::size_t k : detail::shortestPath(in_order)) {

@@ -9,8 +9,9 @@
 namespace graben::detail {
 namespace {
 
-constexpr std::size_t kSamples = 5;   // points of a stick used to measure its distance to others
-constexpr double kDipWeight = 0.05;   // what a distance along dip beyond a stick's end counts against one along strike
+constexpr std::size_t kSamples = 5; // points of a stick used to measure its distance to others
+constexpr double kDipWeight =
+    0.05; // what a distance along dip beyond a stick's end counts against one along strike
 constexpr double kUnevenWeight = 1e-3; // what the longer of two sticks counts in their distance
 
 Points sampled(const FaultStick& stick) {
@@ -49,7 +50,8 @@ double distanceBeyond(const Vector3& p, const Vector3& before_end, const Vector3
 double meanDistance(const Points& from, const Points& to) {
   double sum = 0.0;
   for (const Vector3& p : from) {
-    double nearest = std::min(distanceBeyond(p, to[1], to[0]), distanceBeyond(p, to[to.size() - 2], to.back()));
+    double nearest =
+        std::min(distanceBeyond(p, to[1], to[0]), distanceBeyond(p, to[to.size() - 2], to.back()));
     for (std::size_t i = 0; i + 1 < to.size(); ++i)
       nearest = std::min(nearest, distanceToSegment(p, to[i], to[i + 1]));
     sum += nearest;
@@ -59,7 +61,9 @@ double meanDistance(const Points& from, const Points& to) {
 
 class Distances {
 public:
-  explicit Distances(const std::vector<FaultStick>& sticks) : count_(sticks.size()), values_(count_ * count_) {
+  explicit Distances(const std::vector<FaultStick>& sticks)
+      : count_(sticks.size())
+      , values_(count_ * count_) {
     std::vector<Points> samples;
     for (const FaultStick& s : sticks)
       samples.push_back(sampled(s));
@@ -145,7 +149,9 @@ Path nearestNeighbourPath(std::size_t start, const Distances& d) {
 /// Cost of the link between two positions of a path; none beyond its ends.
 double link(const Path& path, const Distances& d, std::ptrdiff_t i, std::ptrdiff_t j) {
   const auto n = static_cast<std::ptrdiff_t>(path.size());
-  return i < 0 || j < 0 || i >= n || j >= n ? 0.0 : d(path[static_cast<std::size_t>(i)], path[static_cast<std::size_t>(j)]);
+  return i < 0 || j < 0 || i >= n || j >= n
+             ? 0.0
+             : d(path[static_cast<std::size_t>(i)], path[static_cast<std::size_t>(j)]);
 }
 
 /// Turns stretches of the path round where that shortens it (2-opt, ends free).
@@ -171,7 +177,8 @@ bool moveStretches(Path& path, const Distances& d, double tolerance) {
   for (std::ptrdiff_t count = 1; count <= std::min<std::ptrdiff_t>(3, n - 1); ++count)
     for (std::ptrdiff_t i = 0; i + count <= n; ++i) {
       const std::ptrdiff_t j = i + count - 1;
-      const double freed = link(path, d, i - 1, i) + link(path, d, j, j + 1) - link(path, d, i - 1, j + 1);
+      const double freed =
+          link(path, d, i - 1, i) + link(path, d, j, j + 1) - link(path, d, i - 1, j + 1);
       double best = -tolerance;
       std::ptrdiff_t best_gap = -1; // insert between positions best_gap - 1 and best_gap
       bool turned = false;

@@ -9,10 +9,13 @@
 namespace graben::detail {
 namespace {
 
-constexpr double kUpright = 0.1;  // cosine of the largest angle between a strip and the surface it continues
-constexpr double kNoArea = 1e-9;  // height to longest edge of a triangle too thin to keep
+constexpr double kUpright =
+    0.1; // cosine of the largest angle between a strip and the surface it continues
+constexpr double kNoArea = 1e-9; // height to longest edge of a triangle too thin to keep
 
-const Vector3& at(const TriangleMesh& mesh, Index v) { return mesh.vertices[static_cast<std::size_t>(v)]; }
+const Vector3& at(const TriangleMesh& mesh, Index v) {
+  return mesh.vertices[static_cast<std::size_t>(v)];
+}
 
 bool continues(const TriangleMesh& mesh, const Triangle& t, const Vector3& normal) {
   const Vector3 n = areaNormal(mesh, t);
@@ -24,8 +27,8 @@ bool continues(const TriangleMesh& mesh, const Triangle& t, const Vector3& norma
 
 } // namespace
 
-std::size_t addStrip(TriangleMesh& mesh, const std::vector<Index>& inner, const std::vector<Index>& outer,
-                     const Points& normals) {
+std::size_t addStrip(TriangleMesh& mesh, const std::vector<Index>& inner,
+                     const std::vector<Index>& outer, const Points& normals) {
   std::size_t left_out = 0;
   for (std::size_t e = 0; e + 1 < inner.size(); ++e) {
     const Index a = inner[e];

@@ -12,7 +12,8 @@
 namespace graben::detail {
 namespace {
 
-constexpr double kFlat = 1e-12; // height to longest edge of a triangle that counts as having no area
+constexpr double kFlat =
+    1e-12; // height to longest edge of a triangle that counts as having no area
 
 bool before(const Vector3& a, const Vector3& b) {
   return std::tie(a.x(), a.y(), a.z()) < std::tie(b.x(), b.y(), b.z());
@@ -52,7 +53,9 @@ struct CellHash {
 
 class WeldGrid {
 public:
-  WeldGrid(const Points& vertices, double weld) : vertices_(vertices), weld_(weld) {}
+  WeldGrid(const Points& vertices, double weld)
+      : vertices_(vertices)
+      , weld_(weld) {}
 
   /// The lowest kept vertex within the distance, or the vertex itself, which is then kept.
   Index representative(Index i) {
@@ -88,7 +91,8 @@ private:
 };
 
 bool hasArea(const Vector3& a, const Vector3& b, const Vector3& c) {
-  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   return (b - a).cross(c - a).norm() > kFlat * longest;
 }
 
@@ -104,7 +108,8 @@ std::vector<Index> weldMap(const Points& vertices, double weld) {
   std::vector<Index> map(vertices.size());
   WeldGrid grid(vertices, weld);
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    map[i] = vertices[i].allFinite() ? grid.representative(static_cast<Index>(i)) : static_cast<Index>(i);
+    map[i] = vertices[i].allFinite() ? grid.representative(static_cast<Index>(i))
+                                     : static_cast<Index>(i);
   return map;
 }
 

@@ -15,28 +15,33 @@ namespace {
 
 constexpr double kReach = 150.0;
 
-/// The main fault along x, dipping to -y; wavy along strike if asked.
+/// The main fault along x, dipping to -y; wavy down dip if asked.
 FaultSurface mainFault(double wave = 0.0) {
-  return FaultSurface::fromMesh("main", test::sheet(40, 6, [wave](double u, double v) {
-    const double x = 4000.0 * u - 2000.0;
-    return Vector3(x, 300.0 * (0.5 - v) + wave * std::sin(x / 120.0), 400.0 * (0.5 - v));
-  }));
+  return FaultSurface::fromMesh(
+      "main", test::sheet(40, wave > 0.0 ? 120 : 6, [wave](double u, double v) {
+        const double z = 400.0 * (0.5 - v);
+        return Vector3(4000.0 * u - 2000.0, 0.75 * z + wave * std::sin(z / 15.0), z);
+      }));
 }
 
 /// y on the plane main fault at x, z.
-double mainY(double, double z) { return 0.75 * z; }
+double mainY(double, double z) {
+  return 0.75 * z;
+}
 
-/// A fault that comes obliquely from the -y side and ends \a gap short of the main fault (negative: beyond it).
+/// A fault that comes obliquely from the -y side and ends \a gap short of the main fault (negative:
+/// beyond it).
 FaultSurface branchFault(double gap, int columns = 10, int rows = 3) {
   const Vector3 along = Vector3(1.0, 1.5, 0.0).normalized();
   return FaultSurface::fromMesh("branch", test::sheet(columns, rows, [&](double u, double v) {
-    const double z = 320.0 * (0.5 - v);
-    const Vector3 end(0.4 * z, mainY(0.4 * z, z), z);
-    return Vector3(end - (gap + 1500.0 * (1.0 - u)) * along);
-  }));
+                                  const double z = 320.0 * (0.5 - v);
+                                  const Vector3 end(0.4 * z, mainY(0.4 * z, z), z);
+                                  return Vector3(end - (gap + 1500.0 * (1.0 - u)) * along);
+                                }));
 }
 
-/// Ways from one side of the branch to the other, along the near side of the main fault, that no fault bars.
+/// Ways from one side of the branch to the other, along the near side of the main fault, that no
+/// fault bars.
 std::size_t leaks(const FaultNetwork& network) {
   const Vector3 along = Vector3(1.0, 1.5, 0.0).normalized();
   std::size_t count = 0;
@@ -68,6 +73,7 @@ double farthestBeyond(const FaultNetwork& network) {
 void expectSound(const TriangleMesh& mesh) {
   validate(mesh, "test");
   const EdgeAdjacency adjacency(mesh);
+  EXPECT_EQ(borderLoops(mesh, adjacency).size(), 1U);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     EXPECT_GT(test::normalOf(mesh, t).norm(), 1e-6);
     for (std::size_t e = 0; e < 3; ++e)
@@ -101,7 +107,7 @@ TEST(Branch, EndingShortIsExtendedToTheMainFault) {
 
 TEST(Branch, ExtensionFollowsABentMainFault) {
   for (const int rows : {1, 5}) {
-    const FaultNetwork network({mainFault(25.0), branchFault(70.0, 6, rows)}, kReach);
+    const FaultNetwork network({mainFault(15.0), branchFault(70.0, 6, rows)}, kReach);
     ASSERT_EQ(network.branches().size(), 1U);
     // Every point of the new border lies just through the main fault.
     const TriangleMesh& mesh = network.fault(1).mesh;
@@ -111,8 +117,10 @@ TEST(Branch, ExtensionFollowsABentMainFault) {
       if (!adjacency.isBorder(static_cast<Index>(h)))
         continue;
       const Vector3& a = mesh.vertices[static_cast<std::size_t>(mesh.triangles[h / 3][h % 3])];
-      const Vector3& b = mesh.vertices[static_cast<std::size_t>(mesh.triangles[h / 3][(h + 1) % 3])];
-      if (network.side(0, a) != network.side(0, {0, 500, 0}) || network.side(0, b) != network.side(0, {0, 500, 0}))
+      const Vector3& b =
+          mesh.vertices[static_cast<std::size_t>(mesh.triangles[h / 3][(h + 1) % 3])];
+      if (network.side(0, a) != network.side(0, {0, 500, 0}) ||
+          network.side(0, b) != network.side(0, {0, 500, 0}))
         continue;
       for (double t = 0.0; t <= 1.0; t += 0.05) {
         const FaultPoint at = network.nearest(0, a + t * (b - a));
@@ -147,22 +155,71 @@ TEST(Branch, CrossingFaultsAreLeftAlone) {
   EXPECT_EQ(network.fault(1).mesh.triangles, crossing.mesh.triangles);
 }
 
+TEST(Branch, GoingOnFarBehindTheMainFaultInPartIsLeftAlone) {
+  // 60 beyond the main fault at the top, 700 at the bottom: that crosses.
+  const FaultSurface skew = FaultSurface::fromMesh(
+      "skew", test::sheet(30, 8, [](double u, double v) {
+        const double z = 320.0 * (0.5 - v);
+        return Vector3(0.0, mainY(0.0, z) + 60.0 + 640.0 * v * v - (1.0 - u) * 1500.0, z);
+      }));
+  const FaultNetwork network({mainFault(), skew}, kReach);
+  EXPECT_TRUE(network.branches().empty());
+  EXPECT_NEAR(test::areaOf(network.fault(1).mesh), test::areaOf(skew.mesh), 1e-6);
+}
+
+TEST(Branch, SmallFaultBesideTheMainFaultKeepsItsFarEnd) {
+  const FaultSurface small =
+      FaultSurface::fromMesh("small", test::sheet(4, 4, [](double u, double v) {
+                               const double z = 100.0 * (0.5 - v);
+                               return Vector3(0.0, mainY(0.0, z) - 5.0 - 60.0 * u, z);
+                             }));
+  const FaultNetwork network({mainFault(), small}, kReach);
+  EXPECT_FALSE(network.branches().empty());
+  const TriangleBvh bvh(network.fault(1).mesh);
+  for (const Vector3& p : small.mesh.vertices)
+    EXPECT_LT(bvh.nearest(p).distance, 1e-9);
+  EXPECT_GT(test::areaOf(network.fault(1).mesh), test::areaOf(small.mesh));
+}
+
+TEST(Branch, MayMeetAMainFaultThatIsShorterDownDip) {
+  const FaultSurface upper =
+      FaultSurface::fromMesh("upper", test::sheet(20, 4, [](double u, double v) {
+                               return Vector3(2000.0 * u - 1000.0, 0.75 * 200.0 * v, 200.0 * v);
+                             }));
+  for (const int rows : {1, 6}) {
+    const FaultNetwork network({upper, branchFault(40.0, 10, rows)}, kReach);
+    ASSERT_EQ(network.branches().size(), 1U) << rows;
+    for (double z = 25.0; z < 155.0; z += 5.0) {
+      const Vector3 end(0.4 * z, mainY(0.4 * z, z), z);
+      for (double back = 0.5; back < 40.0; back += 3.0) {
+        const Vector3 p = end - back * Vector3(1.0, 1.5, 0.0).normalized();
+        EXPECT_TRUE(network.crosses(p - Vector3(9, -6, 0), p + Vector3(9, -6, 0)))
+            << z << " " << back;
+      }
+    }
+  }
+}
+
 TEST(Branch, FaultsThatMerelyRunCloseAreLeftAlone) {
-  // Parallel to the main fault 60 away: its upper and lower border and its tips come near, none ends there.
-  const FaultSurface beside = FaultSurface::fromMesh("beside", test::sheet(20, 4, [](double u, double v) {
-    return Vector3(2000.0 * u - 1000.0, 250.0 * (0.5 - v) - 70.0, 330.0 * (0.5 - v));
-  }));
+  // Parallel to the main fault 60 away: its upper and lower border and its tips come near, none
+  // ends there.
+  const FaultSurface beside = FaultSurface::fromMesh(
+      "beside", test::sheet(20, 4, [](double u, double v) {
+        return Vector3(2000.0 * u - 1000.0, 250.0 * (0.5 - v) - 70.0, 330.0 * (0.5 - v));
+      }));
   EXPECT_TRUE(FaultNetwork({mainFault(), beside}, kReach).branches().empty());
   // Farther off than the reach.
   EXPECT_TRUE(FaultNetwork({mainFault(), branchFault(1.7 * kReach)}, kReach).branches().empty());
   // Goes over the main fault with its lower border near it at one place only.
-  const FaultSurface over = test::plane("over", {-600, -400, 300}, {1200, 1000, 0}, {60, 0, -85}, 20, 2);
+  const FaultSurface over =
+      test::plane("over", {-600, -400, 300}, {1200, 1000, 0}, {60, 0, -85}, 20, 2);
   EXPECT_TRUE(FaultNetwork({mainFault(), over}, kReach).branches().empty());
 }
 
 TEST(Branch, AntitheticFaultIsExtendedDownToTheMainFault) {
   // Dips the other way and stops 40 above the main fault along its whole lower border.
-  const FaultSurface antithetic = test::plane("antithetic", {-500, -200, 200}, {1000, 0, 0}, {0, 110, -180}, 10, 3);
+  const FaultSurface antithetic =
+      test::plane("antithetic", {-500, -200, 200}, {1000, 0, 0}, {0, 110, -180}, 10, 3);
   const FaultNetwork network({mainFault(), antithetic}, kReach);
   ASSERT_EQ(network.branches().size(), 1U);
   EXPECT_EQ(network.branches()[0].fault, 1);
@@ -198,7 +255,8 @@ TEST(Branch, OfDrogonsF6AndF2AreFound) {
   for (const std::string domain : {"time", "depth"})
     for (const double reach : {100.0, 150.0, 200.0, 300.0}) {
       const FaultNetwork network(drogonFaults(domain), reach);
-      // F2 runs into F1 at its north end; F6 leaves F2 and comes back to it, sharing a stick with it at either end.
+      // F2 runs into F1 at its north end; F6 leaves F2 and comes back to it, sharing a stick with
+      // it at either end.
       const std::vector<std::pair<Index, Index>> expected = {{1, 0}, {5, 1}, {5, 1}};
       EXPECT_EQ(pairsOf(network), expected) << domain << " " << reach;
       EXPECT_NEAR(network.branches()[0].gap, 220.0, 10.0);
@@ -219,7 +277,8 @@ TEST(Branch, OfDrogonsF2ReachesF1AtTheHorizon) {
   for (double t = 0.1; t < 0.95; t += 0.05) {
     const Vector3 from = top + t * (bottom - top);
     const Vector3 normal = apart.nearest(1, from).normal;
-    const Vector3 onward = normal.cross(Vector3::UnitZ()).normalized(); // along strike, to the north
+    const Vector3 onward =
+        normal.cross(Vector3::UnitZ()).normalized(); // along strike, to the north
     ASSERT_GT(onward.y(), 0.9);
     const Vector3 across = 15.0 * normal;
     const auto main = apart.crossings(0, from, from + 600.0 * onward);
@@ -250,8 +309,8 @@ TEST(Branch, OfDrogonsF6IsTightAtBothEnds) {
       const Vector3 p = at + random.point(radius);
       const Vector3 q = at + random.point(radius);
       // On F6's side of F2, one on each side of F6, and no part of F2 between them.
-      if (network.side(1, p) != 1 || network.side(1, q) != 1 || !network.crossings(1, p, q).empty() ||
-          network.side(5, p) * network.side(5, q) != -1)
+      if (network.side(1, p) != 1 || network.side(1, q) != 1 ||
+          !network.crossings(1, p, q).empty() || network.side(5, p) * network.side(5, q) != -1)
         continue;
       ++tried;
       EXPECT_TRUE(network.crosses(p, q));
@@ -264,6 +323,7 @@ TEST(Branch, SeparateFaultsOfOneModelStaySeparate) {
   GRABEN_REQUIRE_DATA(first_file, "modelA4/F1fault.ts");
   std::vector<FaultSurface> faults;
   for (const char* name : {"modelA4/F1fault.ts", "modelA4/F2fault.ts"})
-    faults.push_back(FaultSurface::fromMesh(name, test::readTsurf((test::dataDir() / name).string(), Vector3::Zero())));
+    faults.push_back(FaultSurface::fromMesh(
+        name, test::readTsurf((test::dataDir() / name).string(), Vector3::Zero())));
   EXPECT_TRUE(FaultNetwork(faults, 100.0).branches().empty());
 }

@@ -62,7 +62,8 @@ TEST(Extension, OfAPlaneIsTheTallerPlane) {
 }
 
 TEST(Extension, KeepsTipsAndFollowsCurvedFaults) {
-  const auto place = [](double s, double d) { // along an arc, dipping outward 60 degrees, d down dip
+  const auto place = [](double s,
+                        double d) { // along an arc, dipping outward 60 degrees, d down dip
     const double radius = 1500.0 + 0.5 * d;
     return Vector3(radius * std::cos(2.0 * s), radius * std::sin(2.0 * s), -std::sqrt(0.75) * d);
   };
@@ -85,13 +86,16 @@ TEST(Extension, UprightAndOverturnedFaultsGoUpAndDownToo) {
     const FaultSurface extended = extendedAlongDip(fault, 50.0);
     expectExtensionIsSound(fault, extended);
     EXPECT_NEAR(boundsOf(extended.mesh.vertices).size().x(), 1000.0, 1e-9);
-    EXPECT_NEAR(boundsOf(extended.mesh.vertices).size().z(), 400.0 + 100.0 * 400.0 / std::hypot(400.0, lean), 1e-9);
+    EXPECT_NEAR(boundsOf(extended.mesh.vertices).size().z(),
+                400.0 + 100.0 * 400.0 / std::hypot(400.0, lean), 1e-9);
   }
 }
 
 TEST(Extension, LeavesHolesAndLateralTipsAlone) {
-  TriangleMesh mesh = test::sheet(10, 6, [](double u, double v) { return Vector3(1000 * u, 300 * v, -400 * v); });
-  mesh.triangles.erase(mesh.triangles.begin() + 64, mesh.triangles.begin() + 70); // a hole in the middle
+  TriangleMesh mesh =
+      test::sheet(10, 6, [](double u, double v) { return Vector3(1000 * u, 300 * v, -400 * v); });
+  mesh.triangles.erase(mesh.triangles.begin() + 64,
+                       mesh.triangles.begin() + 70); // a hole in the middle
   const FaultSurface fault = FaultSurface::fromMesh("holed", mesh);
   const FaultSurface extended = extendedAlongDip(fault, 80.0);
   expectExtensionIsSound(fault, extended);
@@ -104,7 +108,8 @@ TEST(Extension, OfRaggedStickFaultsHasNoFolds) {
     Random random(seed);
     std::vector<FaultStick> sticks;
     for (int i = 0; i < 30; ++i) {
-      const Vector3 top(100.0 * i + random.in(-20, 20), 200.0 * std::sin(0.2 * i), random.in(-50, 50));
+      const Vector3 top(100.0 * i + random.in(-20, 20), 200.0 * std::sin(0.2 * i),
+                        random.in(-50, 50));
       const Vector3 down = Vector3(random.in(-0.1, 0.1), -0.5, -0.8).normalized();
       sticks.push_back({{top, top + random.in(150, 350) * down}});
     }
@@ -121,13 +126,16 @@ TEST(Extension, OfRaggedStickFaultsHasNoFolds) {
 
 TEST(Extension, OfRealFaultsIsSound) {
   GRABEN_REQUIRE_DATA(first_file, "modelA4/F1fault.ts");
-  for (const char* name : {"modelA4/F1fault.ts", "modelA4/F2fault.ts", "cfm/OCBA-PVFZ-MULT-Palos_Verdes_fault-CFM6.ts",
-                           "cfm/SFBY-NCRH-MULT-Hayward_Rogers_Creek-CFM7.ts",
-                           "cfm/WTRA-NCVS-PPTV-Pitas_Point_fault_east-CFM6_500m.ts"}) {
-    const FaultSurface fault = FaultSurface::fromMesh(name, test::readTsurf((test::dataDir() / name).string(), Vector3::Zero()));
+  for (const char* name :
+       {"modelA4/F1fault.ts", "modelA4/F2fault.ts", "cfm/OCBA-PVFZ-MULT-Palos_Verdes_fault-CFM6.ts",
+        "cfm/SFBY-NCRH-MULT-Hayward_Rogers_Creek-CFM7.ts",
+        "cfm/WTRA-NCVS-PPTV-Pitas_Point_fault_east-CFM6_500m.ts"}) {
+    const FaultSurface fault = FaultSurface::fromMesh(
+        name, test::readTsurf((test::dataDir() / name).string(), Vector3::Zero()));
     const FaultSurface extended = extendedAlongDip(fault, 200.0);
     expectExtensionIsSound(fault, extended);
-    const Vector3 grown = boundsOf(extended.mesh.vertices).size() - boundsOf(fault.mesh.vertices).size();
+    const Vector3 grown =
+        boundsOf(extended.mesh.vertices).size() - boundsOf(fault.mesh.vertices).size();
     EXPECT_GT(grown.norm(), 300.0) << name;
     EXPECT_LT(grown.norm(), 450.0) << name;
   }
@@ -135,12 +143,13 @@ TEST(Extension, OfRealFaultsIsSound) {
 
 TEST(Extension, ObliqueLastSticksStayTips) {
   std::vector<FaultStick> sticks;
-  for (int i = 0; i < 12; ++i) // the last stick lies nearly along strike
-    sticks.push_back({{{200.0 * i, 0, 0}, {200.0 * i + (i == 11 ? 500.0 : 0.0), 100, -170}}});
+  for (int i = 0; i < 12; ++i) // the last stick lies nearly along strike and faces down dip
+    sticks.push_back({{{200.0 * i + (i == 11 ? 500.0 : 0.0), 0, 0}, {200.0 * i, 100, -170}}});
   const FaultSurface fault = FaultSurface::loft("oblique", sticks);
   const FaultSurface extended = extendedAlongDip(fault, 50.0);
   expectExtensionIsSound(fault, extended);
-  EXPECT_NEAR(test::areaOf(extended.mesh), test::areaOf(fault.mesh) + 50.0 * (2200.0 + 2700.0), 1e-6);
+  EXPECT_NEAR(test::areaOf(extended.mesh), test::areaOf(fault.mesh) + 50.0 * (2200.0 + 2700.0),
+              1e-6);
   ASSERT_EQ(extended.tip_lines.size(), 2U);
   for (const Points& line : extended.tip_lines)
     EXPECT_EQ(line.size(), 4U);

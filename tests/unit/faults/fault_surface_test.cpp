@@ -27,7 +27,9 @@ TriangleMesh soup(const TriangleMesh& mesh, Random& random) {
   return out;
 }
 
-Vector3 ramp(double u, double v) { return {1000.0 * u, 300.0 * v, -400.0 * v + 30.0 * std::sin(9.0 * u)}; }
+Vector3 ramp(double u, double v) {
+  return {1000.0 * u, 300.0 * v, -400.0 * v + 30.0 * std::sin(9.0 * u)};
+}
 
 std::size_t nonManifoldHalfEdges(const TriangleMesh& mesh) {
   const EdgeAdjacency adjacency(mesh);
@@ -78,7 +80,8 @@ TEST(FaultSurface, UprightPartsAgreeWithEachOther) {
     TriangleMesh mesh;
     for (int part = 0; part < 3; ++part) {
       TriangleMesh piece = test::sheet(4, 4, [part](double u, double v) {
-        // leaning a little to one side or the other: up alone would turn the parts against each other
+        // leaning a little to one side or the other: up alone would turn the parts against each
+        // other
         return Vector3(1000.0 * part + 900.0 * u, (part == 1 ? 10.0 : -4.0) * v, -500.0 * v);
       });
       if (turned == (part == 2))
@@ -110,8 +113,9 @@ TEST(FaultSurface, OrientsPatchesAcrossNonManifoldEdgesAndMoebiusStripsWithoutHa
   const TriangleMesh strip = test::sheet(24, 2, [](double u, double v) {
     const double a = 2.0 * M_PI * u;
     const double w = v - 0.5;
-    return Vector3((2.0 + w * std::cos(a / 2)) * std::cos(a), (2.0 + w * std::cos(a / 2)) * std::sin(a),
-                   w * std::sin(a / 2));
+    return Vector3((2.0 + w * std::cos(a / 2)) * std::cos(a),
+                   (2.0 + w * std::cos(a / 2)) * std::sin(a), w * std::sin(a / 2));
   });
-  EXPECT_EQ(FaultSurface::fromMesh("moebius", strip, 1e-6).mesh.triangles.size(), strip.triangles.size());
+  EXPECT_EQ(FaultSurface::fromMesh("moebius", strip, 1e-6).mesh.triangles.size(),
+            strip.triangles.size());
 }

@@ -62,12 +62,19 @@ void expectOneStripWithoutFolds(const TriangleMesh& mesh) {
     EXPECT_NE(adjacency.twin(static_cast<Index>(h)), EdgeAdjacency::kNonManifold);
 }
 
-Vector3 straight(double s) { return {5000.0 * s, 800.0 * s, -1500.0}; }
-Vector3 arc(double s) { return {2000.0 * std::cos(4.0 * s), 2000.0 * std::sin(4.0 * s), -1500.0}; }
-Vector3 snake(double s) { return {4000.0 * s, 400.0 * std::sin(7.0 * s), -1500.0 + 300.0 * s}; }
+Vector3 straight(double s) {
+  return {5000.0 * s, 800.0 * s, -1500.0};
+}
+Vector3 arc(double s) {
+  return {2000.0 * std::cos(4.0 * s), 2000.0 * std::sin(4.0 * s), -1500.0};
+}
+Vector3 snake(double s) {
+  return {4000.0 * s, 400.0 * std::sin(7.0 * s), -1500.0 + 300.0 * s};
+}
 Vector3 hook(double s) {
   return s < 0.6 ? Vector3(5000.0 * s, 0.0, 0.0)
-                 : Vector3(3000.0 + 700.0 * std::sin(7.0 * (s - 0.6)), 700.0 - 700.0 * std::cos(7.0 * (s - 0.6)), 0.0);
+                 : Vector3(3000.0 + 700.0 * std::sin(7.0 * (s - 0.6)),
+                           700.0 - 700.0 * std::cos(7.0 * (s - 0.6)), 0.0);
 }
 
 struct LoftCase {
@@ -120,7 +127,9 @@ TEST_P(Loft, EveryStickLiesInTheSurface) {
     for (const FaultStick& stick : sticks)
       for (std::size_t i = 0; i + 1 < stick.points.size(); ++i)
         for (double t = 0.0; t <= 1.0; t += 0.125)
-          worst = std::max(worst, bvh.nearest(stick.points[i] + t * (stick.points[i + 1] - stick.points[i])).distance);
+          worst = std::max(
+              worst,
+              bvh.nearest(stick.points[i] + t * (stick.points[i + 1] - stick.points[i])).distance);
     EXPECT_LT(worst, 1e-9 * 5000.0);
     for (std::size_t t = 0; t < fault.mesh.triangles.size(); ++t)
       EXPECT_GT(test::normalOf(fault.mesh, t).z(), 0.0);
@@ -128,13 +137,17 @@ TEST_P(Loft, EveryStickLiesInTheSurface) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Traces, Loft,
-                         testing::Values(LoftCase{"straight", straight, 2}, LoftCase{"straight", straight, 40},
+                         testing::Values(LoftCase{"straight", straight, 2},
+                                         LoftCase{"straight", straight, 40},
                                          LoftCase{"arc", arc, 35}, LoftCase{"snake", snake, 60},
                                          LoftCase{"hook", hook, 50}, LoftCase{"many", snake, 300}),
-                         [](const auto& it) { return it.param.name + std::to_string(it.param.sticks); });
+                         [](const auto& it) {
+                           return it.param.name + std::to_string(it.param.sticks);
+                         });
 
 TEST(LoftInput, SpacingLimitsTheEdgesAlongASquareStrip) {
-  const std::vector<FaultStick> sticks = {{{{0, 0, 0}, {0, 0, -100}}}, {{{10, 0, 0}, {10, 0, -100}}}};
+  const std::vector<FaultStick> sticks = {{{{0, 0, 0}, {0, 0, -100}}},
+                                          {{{10, 0, 0}, {10, 0, -100}}}};
   EXPECT_EQ(FaultSurface::loft("coarse", sticks).mesh.triangles.size(), 2U);
   const TriangleMesh fine = FaultSurface::loft("fine", sticks, 10.0).mesh;
   EXPECT_EQ(fine.vertices.size(), 22U);
@@ -146,14 +159,17 @@ TEST(LoftInput, SpacingLimitsTheEdgesAlongASquareStrip) {
 
 TEST(LoftInput, DropsRepeatedAndBadPointsAndClosedSticks) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<FaultStick> clean = {{{{0, 0, 0}, {0, 0, -9}}}, {{{5, 0, 0}, {5, 0, -9}}}, {{{9, 0, 0}, {9, 0, -9}}}};
-  const std::vector<FaultStick> dirty = {{{{0, 0, 0}, {0, 0, 0}, {0, 0, -9}, {0, 0, -9.0000000001}}},
-                                         {{{5, 0, 0}, {5, 0, -9}, {5, 0, 0}}}, // drawn down and back up
-                                         {{{nan, 0, 0}}},
-                                         {{{9, 0, -9}, {nan, 1, 1}, {9, 0, 0}}},
-                                         {{{7, 0, 0}, {7, 0, 0}}},
-                                         {}};
-  EXPECT_EQ(geometry(FaultSurface::loft("dirty", dirty).mesh), geometry(FaultSurface::loft("clean", clean).mesh));
+  const std::vector<FaultStick> clean = {
+      {{{0, 0, 0}, {0, 0, -9}}}, {{{5, 0, 0}, {5, 0, -9}}}, {{{9, 0, 0}, {9, 0, -9}}}};
+  const std::vector<FaultStick> dirty = {
+      {{{0, 0, 0}, {0, 0, 0}, {0, 0, -9}, {0, 0, -9.0000000001}}},
+      {{{5, 0, 0}, {5, 0, -9}, {5, 0, 0}}}, // drawn down and back up
+      {{{nan, 0, 0}}},
+      {{{9, 0, -9}, {nan, 1, 1}, {9, 0, 0}}},
+      {{{7, 0, 0}, {7, 0, 0}}},
+      {}};
+  EXPECT_EQ(geometry(FaultSurface::loft("dirty", dirty).mesh),
+            geometry(FaultSurface::loft("clean", clean).mesh));
   EXPECT_EQ(orderSticks(dirty).order.size(), 3U);
   EXPECT_THROW(FaultSurface::loft("one", {clean[0]}), InvalidInputError);
   EXPECT_THROW(FaultSurface::loft("none", {}), InvalidInputError);
@@ -161,14 +177,48 @@ TEST(LoftInput, DropsRepeatedAndBadPointsAndClosedSticks) {
 }
 
 TEST(LoftInput, SticksDrawnOnTimeSlicesRunTheSameWay) {
-  std::vector<FaultStick> slices;
-  for (int k = 0; k < 6; ++k) {
-    slices.push_back({{{0, 40.0 * k, -50.0 * k}, {500, 40.0 * k + 30, -50.0 * k}, {1000, 40.0 * k, -50.0 * k}}});
-    if (k % 2 == 1)
-      std::reverse(slices.back().points.begin(), slices.back().points.end());
+  for (const bool along_x : {false, true}) {
+    std::vector<FaultStick> slices;
+    for (int k = 0; k < 6; ++k) {
+      // Along y the ends' x tells nothing about which way a stick runs: it sways.
+      const double sway = k % 2 == 1 ? 20.0 : -20.0;
+      slices.push_back({{{0, 40.0 * k, -50.0 * k},
+                         {500, 40.0 * k + 30, -50.0 * k},
+                         {1000, 40.0 * k + sway, -50.0 * k}}});
+      if (k % 3 == 1)
+        std::reverse(slices.back().points.begin(), slices.back().points.end());
+      if (!along_x)
+        for (Vector3& p : slices.back().points)
+          std::swap(p.x(), p.y());
+    }
+    const TriangleMesh mesh = FaultSurface::loft("slices", slices).mesh;
+    expectOneStripWithoutFolds(mesh);
+    EXPECT_LT(test::areaOf(mesh), 1.1 * 1000.0 * std::hypot(200.0, 250.0));
   }
-  const TriangleMesh mesh = FaultSurface::loft("slices", slices).mesh;
-  expectOneStripWithoutFolds(mesh);
-  EXPECT_EQ(mesh.triangles.size(), 20U);
-  EXPECT_LT(test::areaOf(mesh), 1.1 * 1000.0 * std::hypot(200.0, 250.0));
+}
+
+TEST(LoftInput, TheOrderIsTheShortestPathThroughScatteredSticks) {
+  double found_sum = 0.0;
+  double best_sum = 0.0;
+  for (std::uint64_t seed = 0; seed < 15; ++seed) {
+    Random random(seed);
+    std::vector<FaultStick> sticks;
+    for (int i = 0; i < 8; ++i) {
+      const Vector3 top(random.in(0, 1000), random.in(0, 1000), 0);
+      sticks.push_back({{top, top - Vector3(0, 0, 500)}});
+    }
+    const auto lengthOf = [&](const std::vector<std::size_t>& path) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i + 1 < path.size(); ++i)
+        sum += (sticks[path[i]].points[0] - sticks[path[i + 1]].points[0]).norm();
+      return sum;
+    };
+    std::vector<std::size_t> path = {0, 1, 2, 3, 4, 5, 6, 7};
+    double best = lengthOf(path);
+    while (std::next_permutation(path.begin(), path.end()))
+      best = std::min(best, lengthOf(path));
+    best_sum += best;
+    found_sum += lengthOf(orderSticks(sticks).order);
+  }
+  EXPECT_LT(found_sum, 1.01 * best_sum);
 }

@@ -2,8 +2,8 @@
 
 #include "graben/faults/fault_surface.h"
 
-#include <fstream>
 #include <algorithm>
+#include <fstream>
 #include <sstream>
 #include <string>
 
@@ -33,8 +33,9 @@ inline TriangleMesh readTsurf(const std::string& file, const Vector3& origin) {
       Index id = 0;
       Vector3 p;
       words >> id >> p.x() >> p.y() >> p.z();
-      mesh.vertices.resize(static_cast<std::size_t>(std::max<Index>(id, static_cast<Index>(mesh.vertices.size()))),
-                           origin);
+      mesh.vertices.resize(
+          static_cast<std::size_t>(std::max<Index>(id, static_cast<Index>(mesh.vertices.size()))),
+          origin);
       mesh.vertices[static_cast<std::size_t>(id - 1)] = p;
     } else if (key == "TRGL") {
       Triangle t;

@@ -13,11 +13,14 @@ namespace graben::test {
 /// A number in [low, high) that is the same with every standard library.
 class Random {
 public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  explicit Random(std::uint64_t seed)
+      : engine_(seed) {}
   double in(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1.0p-53;
   }
-  std::size_t below(std::size_t count) { return static_cast<std::size_t>(in(0.0, static_cast<double>(count))); }
+  std::size_t below(std::size_t count) {
+    return static_cast<std::size_t>(in(0.0, static_cast<double>(count)));
+  }
   Vector3 point(double half) {
     const double x = in(-half, half);
     const double y = in(-half, half);
@@ -34,11 +37,13 @@ private:
 };
 
 /// A grid of columns x rows cells over (u, v) in [0, 1]^2, placed by \a place.
-inline TriangleMesh sheet(int columns, int rows, const std::function<Vector3(double, double)>& place) {
+inline TriangleMesh sheet(int columns, int rows,
+                          const std::function<Vector3(double, double)>& place) {
   TriangleMesh mesh;
   for (int j = 0; j <= rows; ++j)
     for (int i = 0; i <= columns; ++i)
-      mesh.vertices.push_back(place(static_cast<double>(i) / columns, static_cast<double>(j) / rows));
+      mesh.vertices.push_back(
+          place(static_cast<double>(i) / columns, static_cast<double>(j) / rows));
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {
       const Index a = j * (columns + 1) + i;
@@ -50,10 +55,11 @@ inline TriangleMesh sheet(int columns, int rows, const std::function<Vector3(dou
 }
 
 /// A rectangle from \a corner along \a strike (u) and \a dip (v).
-inline FaultSurface plane(const std::string& name, const Vector3& corner, const Vector3& strike, const Vector3& dip,
-                          int columns = 8, int rows = 4) {
-  return FaultSurface::fromMesh(
-      name, sheet(columns, rows, [&](double u, double v) { return Vector3(corner + u * strike + v * dip); }));
+inline FaultSurface plane(const std::string& name, const Vector3& corner, const Vector3& strike,
+                          const Vector3& dip, int columns = 8, int rows = 4) {
+  return FaultSurface::fromMesh(name, sheet(columns, rows, [&](double u, double v) {
+                                  return Vector3(corner + u * strike + v * dip);
+                                }));
 }
 
 inline Points corners(const TriangleMesh& mesh, std::size_t t) {

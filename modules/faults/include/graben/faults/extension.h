@@ -4,15 +4,17 @@
 
 namespace graben {
 
-/// The fault continued up and down by \a distance along its local dip, for faults whose sticks stop above or below a horizon.
+/// The fault continued up and down by \a distance along its local dip, for faults whose sticks stop
+/// above or below a horizon.
 ///
-/// Only borders that face up or down dip are extended, to the full width of the fault: its lateral tip lines simply go on, its length
-/// along strike stays as it is, and holes stay open. Existing vertices and triangles keep their places in the mesh; new ones follow. Tip lines go on too.
-/// New triangles are wound as the border they continue and none is degenerate; where a border is folded so much that its strips would
-/// overlap, a triangle is left out. Deterministic; O(b^2) for b border vertices.
-/// \param[in] fault    a consistently oriented fault
-/// \param[in] distance in the fault's units; 0 returns the fault as it is
-/// \throw InvalidInputError if distance is negative or not finite, or the fault's mesh is not valid
+/// Only borders that face up or down dip are extended, to the full width of the fault: its lateral
+/// tip lines simply go on, its length along strike stays as it is, and holes stay open. Existing
+/// vertices and triangles keep their places in the mesh; new ones follow. Tip lines go on too. New
+/// triangles are wound as the border they continue and none is degenerate; where a border is folded
+/// so much that its strips would overlap, a triangle is left out. Deterministic; O(b^2) for b
+/// border vertices. \param[in] fault    a consistently oriented fault \param[in] distance in the
+/// fault's units; 0 returns the fault as it is \throw InvalidInputError if distance is negative or
+/// not finite, or the fault's mesh is not valid
 FaultSurface extendedAlongDip(const FaultSurface& fault, double distance);
 
 } // namespace graben

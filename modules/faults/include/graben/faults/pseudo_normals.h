@@ -7,15 +7,16 @@
 
 namespace graben {
 
-/// Angle-weighted normals of faces, edges and corners, which give the side of a surface right wherever its nearest point lies
-/// (Baerentzen and Aanaes, IEEE TVCG 11:243, 2005).
+/// Angle-weighted normals of faces, edges and corners, which give the side of a surface right
+/// wherever its nearest point lies (Baerentzen and Aanaes, IEEE TVCG 11:243, 2005).
 ///
 /// Built in O(n log n) for n triangles; const methods are O(1), thread-safe and deterministic.
 class PseudoNormals {
 public:
   PseudoNormals() = default;
 
-  /// \param[in] mesh a mesh with valid indices; degenerate triangles count for nothing, edges of three or more triangles take them all
+  /// \param[in] mesh a mesh with valid indices; degenerate triangles count for nothing, edges of
+  /// three or more triangles take them all
   explicit PseudoNormals(const TriangleMesh& mesh);
 
   struct Normal {
@@ -27,13 +28,15 @@ public:
   Normal at(const MeshPoint& point) const;
 
   /// The unit normal of a triangle; zero if it is degenerate.
-  const Vector3& ofTriangle(Index triangle) const { return faces_[static_cast<std::size_t>(triangle)]; }
+  const Vector3& ofTriangle(Index triangle) const {
+    return faces_[static_cast<std::size_t>(triangle)];
+  }
 
 private:
   std::vector<Triangle> triangles_;
-  Points faces_;                           // unit normals
+  Points faces_;                              // unit normals
   std::vector<std::array<Vector3, 3>> edges_; // unit, edge e from corner e to (e + 1) % 3
-  Points corners_;                         // by vertex, unit
+  Points corners_;                            // by vertex, unit
   std::vector<std::array<bool, 3>> border_edge_;
   std::vector<bool> border_vertex_;
 };
