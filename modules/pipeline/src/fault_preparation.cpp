@@ -41,7 +41,7 @@ std::vector<FaultSurface> prepareFaults(const std::vector<FaultGeometry>& faults
     if (fault.z_positive != ZPositive::Unknown && fault.z_positive != frame.z_positive)
       warnings.push_back("Fault " + fault.name + " has its z the other way up than the picks; it was turned over.");
     FaultSurface surface = localSurface(fault, frame);
-    surfaces.push_back(std::move(surface));
+    surfaces.push_back(extension > 0.0 ? extendedAlongDip(surface, extension) : std::move(surface));
   }
   return surfaces;
 }

@@ -98,9 +98,10 @@ private:
     UsedParameters& used = report.used;
     used.rho = options_.rho > 0.0 ? options_.rho : report.sampling.rho;
     used.delta = options_.delta > 0.0 ? options_.delta : report.sampling.delta;
-    used.voxel_size = options_.voxel_size > 0.0 ? options_.voxel_size : meanDistance(grid_, options_.threads);
+    const double mean_distance = meanDistance(grid_, options_.threads);
+    used.voxel_size = options_.voxel_size > 0.0 ? options_.voxel_size : mean_distance;
     used.zone_width = options_.zone_width > 0.0 ? options_.zone_width : 5.0 * used.voxel_size;
-    used.fault_reach = options_.fault_reach > 0.0 ? options_.fault_reach : 6.0 * (used.rho + used.delta);
+    used.fault_reach = options_.fault_reach > 0.0 ? options_.fault_reach : std::max(6.0 * mean_distance, 2.0 * rhoPlusDelta());
     used.flip_angle = options_.flip_angle;
     used.neighbors = options_.neighbors;
     used.z_scale = options_.z_scale;

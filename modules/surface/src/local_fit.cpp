@@ -1,6 +1,6 @@
 #include "graben/surface/local_fit.h"
 
-#include "graben/surface/fault_signature.h"
+#include "graben/faults/fault_signature.h"
 
 #include <Eigen/Geometry>
 

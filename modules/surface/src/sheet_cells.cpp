@@ -101,7 +101,8 @@ SheetCells::Frontier SheetCells::seeds() const {
   std::vector<std::uint64_t> keys;
   keys.reserve(centres.size());
   const double limit = kLatticeLimit * lattice_.voxel_size;
-  for (const Vector3& centre : centres) {
+  for (std::size_t p = 0; p < centres.size(); ++p) {
+    const Vector3 centre = centres[p] + options_.iso_level * field_.planes().normals[p];
     if (!centre.allFinite())
       continue;
     if ((centre - lattice_.origin).cwiseAbs().maxCoeff() > limit)

@@ -16,6 +16,35 @@ Bounds boxAround(const Vector3& p, double radius) {
   return box;
 }
 
+constexpr double kDegree = M_PI / 180.0;
+constexpr double kWidestGap = 150.0 * kDegree;        // between the directions to the picks around a place inside the data
+constexpr double kWidestGapAtFault = 130.0 * kDegree; // the same where faults close the ring
+constexpr std::size_t kEnclosingPicks = 24;
+constexpr int kRays = 16;
+
+/// Directions around a place, as angles in a tangent plane.
+class Directions {
+public:
+  explicit Directions(const Vector3& normal) : u_(normal.unitOrthogonal()), w_(normal.cross(u_)) {}
+  void add(const Vector3& d) { angles_.push_back(std::atan2(d.dot(w_), d.dot(u_))); }
+  bool empty() const { return angles_.empty(); }
+  Vector3 at(double angle) const { return std::cos(angle) * u_ + std::sin(angle) * w_; }
+  double widestGap() {
+    if (angles_.empty())
+      return 2.0 * M_PI;
+    std::sort(angles_.begin(), angles_.end());
+    double gap = angles_.front() + 2.0 * M_PI - angles_.back();
+    for (std::size_t i = 1; i < angles_.size(); ++i)
+      gap = std::max(gap, angles_[i] - angles_[i - 1]);
+    return gap;
+  }
+
+private:
+  Vector3 u_;
+  Vector3 w_;
+  std::vector<double> angles_;
+};
+
 } // namespace
 
 SignedDistance::SignedDistance(const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
@@ -52,47 +81,40 @@ void SignedDistance::findVisible(const Vector3& v, std::uint64_t signature, bool
 }
 
 bool SignedDistance::surrounded(const Vector3& foot, const Vector3& normal, Scratch& scratch) const {
-  // Picks all round: no gap of more than 150 degrees between the directions to the picks near the foot.
   grid_.within(foot, 2.0 * options_.rho_plus_delta, scratch.candidates);
-  const Vector3 u = normal.unitOrthogonal();
-  const Vector3 w = normal.cross(u);
-  std::vector<double> angles;
-  angles.reserve(scratch.candidates.size());
-  for (const Neighbor& c : scratch.candidates) {
-    const Vector3 d = grid_.points()[static_cast<std::size_t>(c.index)] - foot;
-    angles.push_back(std::atan2(d.dot(w), d.dot(u)));
-  }
-  if (angles.size() < 3)
-    return false;
-  std::sort(angles.begin(), angles.end());
-  double gap = angles.front() + 2.0 * M_PI - angles.back();
-  for (std::size_t i = 1; i < angles.size(); ++i)
-    gap = std::max(gap, angles[i] - angles[i - 1]);
-  return gap < 150.0 * M_PI / 180.0;
+  Directions directions(normal);
+  for (const Neighbor& c : scratch.candidates)
+    directions.add(grid_.points()[static_cast<std::size_t>(c.index)] - foot);
+  return directions.widestGap() < kWidestGap;
 }
 
-bool SignedDistance::reachesFault(const Vector3& foot, const Scratch& scratch) const {
-  const FaultPoint fault = faults_.nearest(foot, options_.fault_reach);
-  if (fault.fault < 0 || fault.at_border)
-    return false;
-  for (const Neighbor& c : scratch.visible) {
-    const auto i = static_cast<std::size_t>(c.index);
-    const Vector3& n = planes_.normals[i];
-    const Vector3& pick = grid_.points()[i];
-    Vector3 across = fault.normal - fault.normal.dot(n) * n;
-    const double length = across.norm();
-    if (length < 1e-6)
-      continue;
-    across /= length;
-    Vector3 step = foot - pick;
-    step -= step.dot(n) * n;
-    const double along = step.dot(across);
-    const double lateral = (step - along * across).norm();
-    const double to_fault = (fault.point - pick).dot(across);
-    if (lateral <= options_.overhang && std::abs(along) <= options_.fault_reach && along * to_fault >= 0.0)
-      return true;
+bool SignedDistance::enclosed(const Vector3& place, const Vector3& normal, Scratch& scratch) const {
+  grid_.nearest(place, kEnclosingPicks, scratch.candidates, options_.fault_reach);
+  Directions directions(normal);
+  for (const Neighbor& c : scratch.candidates) {
+    const Vector3& pick = grid_.points()[static_cast<std::size_t>(c.index)];
+    if (sameSide(faults_, pick, place))
+      directions.add(pick - place);
   }
-  return false;
+  if (directions.empty())
+    return false;
+  for (int ray = 0; ray < kRays; ++ray) {
+    const Vector3 way = directions.at(2.0 * M_PI * ray / kRays);
+    if (faults_.crosses(place, place + options_.fault_reach * way))
+      directions.add(way);
+  }
+  return directions.widestGap() < kWidestGapAtFault;
+}
+
+bool SignedDistance::carriedToFault(const Vector3& foot, Scratch& scratch) const {
+  const auto first = static_cast<std::size_t>(scratch.visible.front().index);
+  const Vector3& pick = grid_.points()[first];
+  if ((foot - pick).squaredNorm() > options_.fault_reach * options_.fault_reach)
+    return false;
+  const Vector3& normal = planes_.normals[first];
+  // Where the foot lies beyond the fault, what counts is the place where the sheet meets the fault.
+  const auto crossing = faults_.firstCrossing(pick, foot);
+  return enclosed(crossing ? Vector3(pick + 0.95 * (crossing->point - pick)) : foot, normal, scratch);
 }
 
 bool SignedDistance::supported(const Vector3& foot, const Vector3& v, std::uint64_t signature, bool near_faults,
@@ -113,9 +135,9 @@ bool SignedDistance::supported(const Vector3& foot, const Vector3& v, std::uint6
   }
   if (distance <= options_.overhang)
     return true;
-  if (near_faults && options_.fault_reach > 0.0 && reachesFault(foot, scratch))
+  if (distance < options_.rho_plus_delta && surrounded(foot, normal, scratch))
     return true;
-  return distance < options_.rho_plus_delta && surrounded(foot, normal, scratch);
+  return near_faults && options_.fault_reach > 0.0 && carriedToFault(foot, scratch);
 }
 
 FieldValue SignedDistance::at(const Vector3& v, std::uint64_t signature, Scratch& scratch) const {

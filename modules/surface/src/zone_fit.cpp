@@ -2,7 +2,7 @@
 
 #include "graben/core/threads.h"
 #include "graben/mesh/normals.h"
-#include "graben/surface/fault_signature.h"
+#include "graben/faults/fault_signature.h"
 #include "graben/surface/quadric.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "graben/features/tangent_planes.h"
-#include "graben/surface/fault_signature.h"
+#include "graben/faults/fault_signature.h"
 
 #include <limits>
 #include <vector>
@@ -12,7 +12,8 @@ struct SignedDistanceOptions {
   double rho_plus_delta = 0.0; ///< the field is undefined where its foot lies farther than this from the data (Hoppe 1992, section 3.4)
   double overhang = 0.0;       ///< farthest the foot may lie beyond the data's edge; 0: rho_plus_delta. Inside a sparse patch, where picks lie
                                ///< all round, rho_plus_delta holds
-  double fault_reach = 0.0;    ///< farthest the field is carried from the last pick towards a fault; 0: no farther than elsewhere
+  double fault_reach = 0.0;    ///< farthest the field is carried from the last pick towards a fault, where picks and faults close a ring round
+                               ///< the place; 0: no farther than elsewhere
   double voxel_size = 1.0;     ///< h: values are asked for within one cell's diagonal of the surface
   std::size_t blend = 1;       ///< planes a value is averaged over; 1: Hoppe's nearest plane alone
 };
@@ -51,7 +52,8 @@ private:
   void findVisible(const Vector3& v, std::uint64_t signature, bool near_faults, Scratch& scratch) const;
   bool supported(const Vector3& foot, const Vector3& v, std::uint64_t signature, bool near_faults, Scratch& scratch) const;
   bool surrounded(const Vector3& foot, const Vector3& normal, Scratch& scratch) const;
-  bool reachesFault(const Vector3& foot, const Scratch& scratch) const;
+  bool enclosed(const Vector3& place, const Vector3& normal, Scratch& scratch) const;
+  bool carriedToFault(const Vector3& foot, Scratch& scratch) const;
 
   const NeighborGrid& grid_;
   const TangentPlanes& planes_;

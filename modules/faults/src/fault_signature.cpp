@@ -1,4 +1,4 @@
-#include "graben/surface/fault_signature.h"
+#include "graben/faults/fault_signature.h"
 
 namespace graben {
 
