@@ -224,7 +224,7 @@ void addLights(vtkRenderer* plot) {
     double x, y, z, intensity;
   };
   plot->AutomaticLightCreationOff();
-  for (const Lamp lamp : {Lamp{-1.0, 1.0, 1.0, 0.75}, Lamp{0.0, 0.0, 1.0, 0.4}}) {
+  for (const Lamp lamp : {Lamp{-1.0, 1.0, 1.0, 0.65}, Lamp{0.0, 0.0, 1.0, 0.5}}) {
     vtkNew<vtkLight> light;
     light->SetLightTypeToCameraLight();
     light->SetPosition(lamp.x, lamp.y, lamp.z);

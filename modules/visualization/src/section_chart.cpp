@@ -220,7 +220,6 @@ void renderSection(const Offscreen& screen, const std::string& png, const Sectio
   window->AddRenderer(paper);
 
   vtkNew<vtkChartXY> axes;
-  axes->SetForceAxesToBounds(true);
   Chart chart(axes, options.z_positive == ZPositive::Down ? -1.0 : 1.0);
   plotScene(chart, scene, line, options, stroke);
   plotFaults(chart, scene, line, stroke);
