@@ -45,6 +45,25 @@ void labelParts(std::vector<MeshInput>& meshes) {
   }
 }
 
+/// Vertices that are not finite go, with the triangles on them.
+void dropNotFinite(MeshInput& input) {
+  TriangleMesh& mesh = input.mesh;
+  const auto finite = [&](Index v) {
+    return mesh.vertices[static_cast<std::size_t>(v)].allFinite();
+  };
+  const auto all_finite = [](const Vector3& p) { return p.allFinite(); };
+  if (std::all_of(mesh.vertices.begin(), mesh.vertices.end(), all_finite))
+    return;
+  const auto end =
+      std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
+        return !finite(t[0]) || !finite(t[1]) || !finite(t[2]);
+      });
+  input.notes.push_back(std::to_string(mesh.triangles.end() - end) +
+                        " triangles with a corner that is not finite dropped");
+  mesh.triangles.erase(end, mesh.triangles.end());
+  removeUnreferencedVertices(mesh);
+}
+
 } // namespace
 
 std::vector<MeshInput> readMeshes(const std::string& path) {
@@ -58,9 +77,11 @@ std::vector<MeshInput> readMeshes(const std::string& path) {
     meshes = readGocadMeshes(textOf(content, path, storage), path);
   else
     meshes.push_back(readOne(format, content, path));
-  for (const MeshInput& input : meshes)
+  for (MeshInput& input : meshes) {
+    dropNotFinite(input);
     if (input.mesh.empty())
       throw ParseError(path, 0, "holds no triangle");
+  }
   return meshes;
 }
 

@@ -1,5 +1,7 @@
 #include "no_data.h"
 
+#include "graben/core/threads.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,40 +20,52 @@ bool isFinitePoint(const Vector3& p) {
 
 enum class Kind { Point, Terminator, NoData };
 
-/// Tells points from rows without data.
-class Judge {
-public:
-  Judge(const Points& points, bool terminators)
-      : terminators_(terminators) {
-    for (const Vector3& p : points) {
-      if (basicKind(p) == Kind::Point && !isDoubtful(p.z())) {
-        low_ = std::min(low_, p.z());
-        high_ = std::max(high_, p.z());
+/// What z values there are; doubtful nulls apart.
+struct Survey {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  bool clean = true; ///< every row is a point beyond doubt
+};
+
+Kind basicKind(const Vector3& p, bool terminators) {
+  if (terminators && isTerminator(p))
+    return Kind::Terminator;
+  return isFinitePoint(p) && !isNullValue(p.z()) ? Kind::Point : Kind::NoData;
+}
+
+Survey survey(const Points& points, bool terminators, unsigned threads) {
+  constexpr std::size_t grain = 1 << 16;
+  std::vector<Survey> parts(points.size() / grain + 1);
+  parallelBlocks(points.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    Survey part;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double z = points[i].z();
+      if (basicKind(points[i], terminators) != Kind::Point || isDoubtful(z)) {
+        part.clean = false;
+      } else {
+        part.low = std::min(part.low, z);
+        part.high = std::max(part.high, z);
       }
     }
+    parts[begin / grain] = part;
+  });
+  Survey all;
+  for (const Survey& part : parts) {
+    all.low = std::min(all.low, part.low);
+    all.high = std::max(all.high, part.high);
+    all.clean &= part.clean;
   }
+  return all;
+}
 
-  Kind kind(const Vector3& p) const {
-    const Kind basic = basicKind(p);
-    if (basic == Kind::Point && isDoubtful(p.z()) && low_ <= high_) {
-      const double away = std::max(low_ - p.z(), p.z() - high_);
-      if (away > std::max(high_ - low_, 1.0))
-        return Kind::NoData;
-    }
+Kind kindOf(const Vector3& p, const Survey& survey, bool terminators) {
+  const Kind basic = basicKind(p, terminators);
+  const bool known_range = survey.low <= survey.high;
+  if (basic != Kind::Point || !isDoubtful(p.z()) || !known_range)
     return basic;
-  }
-
-private:
-  Kind basicKind(const Vector3& p) const {
-    if (terminators_ && isTerminator(p))
-      return Kind::Terminator;
-    return isFinitePoint(p) && !isNullValue(p.z()) ? Kind::Point : Kind::NoData;
-  }
-
-  bool terminators_;
-  double low_ = std::numeric_limits<double>::infinity();
-  double high_ = -std::numeric_limits<double>::infinity();
-};
+  const double away = std::max(survey.low - p.z(), p.z() - survey.high);
+  return away > std::max(survey.high - survey.low, 1.0) ? Kind::NoData : Kind::Point;
+}
 
 } // namespace
 
@@ -64,13 +78,15 @@ bool isTerminator(const Vector3& point) {
   return point.x() == 999.0 && point.y() == 999.0 && point.z() == 999.0;
 }
 
-void dropNoData(PickSet& picks, bool terminators) {
-  const Judge judge(picks.points, terminators);
+void dropNoData(PickSet& picks, bool terminators, unsigned threads) {
+  const Survey found = survey(picks.points, terminators, threads);
+  if (found.clean)
+    return;
   std::size_t kept = 0;
   std::size_t ends = 0;
   std::size_t no_data = 0;
   for (std::size_t i = 0; i < picks.points.size(); ++i) {
-    const Kind kind = judge.kind(picks.points[i]);
+    const Kind kind = kindOf(picks.points[i], found, terminators);
     ends += kind == Kind::Terminator ? 1 : 0;
     no_data += kind == Kind::NoData ? 1 : 0;
     if (kind != Kind::Point)

@@ -6,7 +6,7 @@ namespace graben {
 
 /// Drops points with a coordinate that is not finite or a null z, and says how many in notes.
 /// \param[in] terminators also drop rows 999 999 999, the line ends of IRAP/RMS text
-void dropNoData(PickSet& picks, bool terminators);
+void dropNoData(PickSet& picks, bool terminators, unsigned threads);
 
 /// True for values no coordinate has: 1e30 and beyond, not finite, 999.25 with either sign, -99999.
 bool isNullValue(double value);

@@ -53,7 +53,7 @@ PickSet readPicks(const std::string& path, const ReadOptions& options) {
   PickSet picks = readRows(content, path, options);
   picks.source = path;
   const FileFormat format = formatOf(content.bytes(), path);
-  dropNoData(picks, format == FileFormat::Text);
+  dropNoData(picks, format == FileFormat::Text, options.threads);
   if (picks.points.empty())
     throw ParseError(path, 0, "is no point cloud: no row holds data");
   if (format == FileFormat::Text)

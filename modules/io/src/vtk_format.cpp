@@ -259,6 +259,8 @@ void writeVtpMesh(const std::string& path, const TriangleMesh& mesh) {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToNone();
+  writer->SetHeaderTypeToUInt64();
   runWriter(*writer, path, mesh);
 }
 

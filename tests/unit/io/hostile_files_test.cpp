@@ -139,6 +139,11 @@ TEST(HostileFiles, hugeCountsAreNotBelieved) {
   EXPECT_FALSE(picks(folder.write("a.pcd", pcd("binary"))).empty());
   EXPECT_FALSE(picks(folder.write("b.pcd", pcd("ascii"))).empty());
   EXPECT_FALSE(picks(folder.write("c.pcd", pcd("binary_compressed") + "1234567890")).empty());
+  const std::string block = {8, 0, 0, 0, 0, 0, 0, 0x30};
+  const std::string bomb = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n"
+                           "WIDTH 67108864\nHEIGHT 1\nDATA binary_compressed\n" +
+                           block + "12345678";
+  EXPECT_THAT(picks(folder.write("d.pcd", bomb)), HasSubstr("cut short"));
   const std::string vtk =
       "# vtk DataFile Version 4.2\na\nBINARY\nDATASET POLYDATA\nPOINTS 90000000000000 double\n1234";
   EXPECT_FALSE(meshes(folder.write("a.vtk", vtk)).empty());

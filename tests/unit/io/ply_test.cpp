@@ -74,6 +74,28 @@ TEST(PlyReader, readsAnyOrderTypeAndList) {
   EXPECT_THAT(picks.notes, Contains(HasSubstr("red, seen")));
 }
 
+const std::string triangle_header =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n";
+
+TEST(PlyReader, refusesFacesOnVerticesThatDoNotExist) {
+  const TempFolder folder;
+  for (const char* face : {"3 0 1 4\n", "3 0 1 -1\n", "3 0 1 nan\n"})
+    EXPECT_THROW(readMesh(folder.write(
+                     "a.ply", triangle_header + "0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n" + face)),
+                 ParseError)
+        << face;
+}
+
+TEST(PlyReader, dropsTrianglesThatAreNotFinite) {
+  const TempFolder folder;
+  const auto meshes = readMeshes(
+      folder.write("a.ply", triangle_header + "0 0 0\nnan 0 0\n0 1 0\n1 1 0\n3 0 3 2\n3 0 1 2\n"));
+  EXPECT_EQ(meshes[0].mesh.vertices.size(), 3U);
+  EXPECT_EQ(meshes[0].mesh.triangles, (std::vector<Triangle>{{0, 2, 1}}));
+  EXPECT_THAT(meshes[0].notes, Contains(HasSubstr("1 triangles with a corner")));
+}
+
 TEST(PlyReader, readsBigEndianPointsWithNormals) {
   const TempFolder folder;
   std::string content =

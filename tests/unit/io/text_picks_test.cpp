@@ -111,7 +111,7 @@ TEST(TextPicks, emptyFieldsAreNoDataAndDoNotShiftColumns) {
 }
 
 TEST(TextPicks, knowsTheSignOfRmsPointsWhereAllAgree) {
-  EXPECT_EQ(read("1 2 3\n4 5 6\n999 999 999\n", "a.poi").z_positive, ZPositive::Down);
+  EXPECT_EQ(read("1 2 0.5\n4 5 6\n999 999 999\n", "a.poi").z_positive, ZPositive::Down);
   EXPECT_EQ(read("1 2 -3\n4 5 -6\n", "a.ipts").z_positive, ZPositive::Up);
   EXPECT_EQ(read("1 2 -3\n4 5 6\n", "a.poi").z_positive, ZPositive::Unknown);
   EXPECT_EQ(read("1 2 3\n4 5 6\n", "a.xyz").z_positive, ZPositive::Unknown);
