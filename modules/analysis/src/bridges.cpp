@@ -1,5 +1,7 @@
 #include "graben/analysis/bridges.h"
 
+#include "border_edges.h"
+
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 #include "graben/mesh/adjacency.h"
@@ -22,13 +24,9 @@ struct Fault {
       , index(i)
       , tolerance(near) {
     const TriangleMesh& mesh = network.fault(i).mesh;
-    const EdgeAdjacency adjacency(mesh);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-      for (std::size_t e = 0; e < 3; ++e)
-        if (adjacency.isBorder(static_cast<Index>(3 * t + e)))
-          border.push_back(
-              {mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][e])],
-               mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][(e + 1) % 3])]});
+    for (const auto& [from, to] : borderEdges(mesh))
+      border.push_back({mesh.vertices[static_cast<std::size_t>(from)],
+                        mesh.vertices[static_cast<std::size_t>(to)]});
   }
 
   bool has(const Vector3& p) const {

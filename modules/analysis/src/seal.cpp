@@ -1,9 +1,10 @@
 #include "graben/analysis/seal.h"
 
+#include "border_edges.h"
+
 #include "graben/analysis/statistics.h"
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
-#include "graben/mesh/adjacency.h"
 
 #include <algorithm>
 
@@ -12,18 +13,33 @@ namespace graben {
 namespace {
 
 std::vector<Index> borderVertices(const TriangleMesh& mesh) {
-  const EdgeAdjacency adjacency(mesh);
   std::vector<Index> result;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::size_t e = 0; e < 3; ++e)
-      if (adjacency.isBorder(static_cast<Index>(3 * t + e))) {
-        result.push_back(mesh.triangles[t][e]);
-        result.push_back(mesh.triangles[t][(e + 1) % 3]);
-      }
+  for (const auto& edge : borderEdges(mesh))
+    result.insert(result.end(), edge.begin(), edge.end());
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
+
+/// Tells the outer edge of the data from borders at a fault, where the truth is known.
+class TrueBorder {
+public:
+  TrueBorder(const SealOptions& options, const FaultNetwork& network)
+      : network_(network)
+      , tolerance_(options.truth_tolerance) {
+    if (options.truth != nullptr)
+      bvh_ = TriangleBvh(borderMesh(*options.truth));
+  }
+
+  bool endsAtFaultNear(const Vector3& p) const {
+    return bvh_.empty() || network_.nearest(bvh_.nearest(p).point, tolerance_).fault >= 0;
+  }
+
+private:
+  const FaultNetwork& network_;
+  double tolerance_;
+  TriangleBvh bvh_;
+};
 
 FaultSeal sealOf(std::vector<double> distances, double tolerance) {
   FaultSeal seal;
@@ -48,11 +64,16 @@ SealReport checkSeal(const TriangleMesh& mesh, const FaultNetwork& network,
     throw InvalidInputError(
         stage, "the width of the zone must be positive and the tolerance not negative");
   validate(mesh, stage);
+  if (options.truth != nullptr)
+    validate(*options.truth, stage);
   const std::vector<Index> border = borderVertices(mesh);
+  const TrueBorder truth(options, network);
   std::vector<FaultPoint> nearest(border.size());
   parallelFor(border.size(), 256, options.threads, [&](std::size_t i) {
-    nearest[i] =
-        network.nearest(mesh.vertices[static_cast<std::size_t>(border[i])], options.zone_width);
+    const Vector3& vertex = mesh.vertices[static_cast<std::size_t>(border[i])];
+    nearest[i] = network.nearest(vertex, options.zone_width);
+    if (nearest[i].fault >= 0 && !truth.endsAtFaultNear(vertex))
+      nearest[i].fault = -1;
   });
   std::vector<std::vector<double>> distances(network.size());
   std::vector<double> all;

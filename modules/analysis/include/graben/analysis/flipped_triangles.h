@@ -1,0 +1,38 @@
+#pragma once
+
+#include "graben/mesh/triangle_mesh.h"
+
+#include <vector>
+
+namespace graben {
+
+/// A fold is an edge over which the surface turns by more than this, degrees.
+constexpr double kFoldAngle = 120.0;
+
+/// The triangles to blame for folds, in rising order; a surface that nowhere turns back on itself
+/// has none.
+///
+/// A fold is an edge of two consistently wound triangles whose normals differ by more than
+/// kFoldAngle. Each fold blames one triangle: the one that agrees less with the mean normal
+/// (weighted by area) of all triangles at the edge's two ends. So a single flipped triangle counts
+/// as one, not with its three neighbours. Triangles without an area take no part. Edges whose two
+/// triangles are wound against each other are TopologyReport::inconsistent_edges, not folds.
+/// O(n log n), deterministic. \throw InvalidInputError if the mesh is not valid
+std::vector<Index> foldedTriangles(const TriangleMesh& mesh);
+
+/// The triangles that face away from the true surface, in rising order: their normal and that of
+/// the nearest true triangle differ by more than 90 degrees.
+///
+/// Which way a whole file is wound says nothing: each component of the truth is turned so that its
+/// mean normal is up, and where most of the mesh faces away, the rest is what is returned. So a
+/// mesh with one piece up and one down is found out. \param[in] truth a horizon in the mesh's frame
+/// (z up) \param[in] threads 0: one per processor O(n log n), deterministic. \throw
+/// InvalidInputError if a mesh is not valid or the truth has no triangles
+std::vector<Index> trianglesAgainst(const TriangleMesh& mesh, const TriangleMesh& truth,
+                                    unsigned threads = 0);
+
+/// The same for a horizon without truth: the triangles whose normal has a negative z, or, where
+/// most have, the others. A horizon that is folded over has some by right. O(n)
+std::vector<Index> trianglesFacingDown(const TriangleMesh& mesh);
+
+} // namespace graben

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "graben/mesh/triangle_mesh.h"
+
+#include <array>
+#include <vector>
+
+namespace graben {
+
+/// The edges that only one triangle has, each in the direction of its triangle, in the triangles'
+/// order.
+std::vector<std::array<Index, 2>> borderEdges(const TriangleMesh& mesh);
+
+/// The border as a mesh of triangles without width, so that a TriangleBvh finds the nearest border
+/// point.
+TriangleMesh borderMesh(const TriangleMesh& mesh);
+
+} // namespace graben

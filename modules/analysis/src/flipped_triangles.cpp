@@ -1,0 +1,113 @@
+#include "graben/analysis/flipped_triangles.h"
+
+#include "graben/core/errors.h"
+#include "graben/core/threads.h"
+#include "graben/mesh/adjacency.h"
+#include "graben/mesh/components.h"
+#include "graben/mesh/normals.h"
+#include "graben/mesh/triangle_bvh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graben {
+
+namespace {
+
+const char* const kStage = "looking for flipped triangles";
+
+Points areaNormals(const TriangleMesh& mesh) {
+  Points normals;
+  normals.reserve(mesh.triangles.size());
+  for (const Triangle& triangle : mesh.triangles)
+    normals.push_back(areaNormal(mesh, triangle));
+  return normals;
+}
+
+/// The triangles with wrong[t] set; the others with an area if most of it is in those set.
+std::vector<Index> minority(const std::vector<char>& wrong, const Points& normals) {
+  double wrong_area = 0.0;
+  double right_area = 0.0;
+  for (std::size_t t = 0; t < wrong.size(); ++t)
+    (wrong[t] != 0 ? wrong_area : right_area) += normals[t].norm();
+  const char wanted = wrong_area > right_area ? 0 : 1;
+  std::vector<Index> result;
+  for (std::size_t t = 0; t < wrong.size(); ++t)
+    if (wrong[t] == wanted && !normals[t].isZero(0.0))
+      result.push_back(static_cast<Index>(t));
+  return result;
+}
+
+/// Area normals, those of a component whose mean faces down turned over.
+Points upwardNormals(const TriangleMesh& mesh) {
+  Points normals = areaNormals(mesh);
+  const Components components = connectedComponents(mesh);
+  std::vector<double> up(components.triangle_count.size(), 0.0);
+  for (std::size_t t = 0; t < normals.size(); ++t)
+    up[static_cast<std::size_t>(components.of_triangle[t])] += normals[t].z();
+  for (std::size_t t = 0; t < normals.size(); ++t)
+    if (up[static_cast<std::size_t>(components.of_triangle[t])] < 0.0)
+      normals[t] = -normals[t];
+  return normals;
+}
+
+} // namespace
+
+std::vector<Index> foldedTriangles(const TriangleMesh& mesh) {
+  validate(mesh, kStage);
+  const Points normals = areaNormals(mesh);
+  Points around(mesh.vertices.size(), Vector3::Zero());
+  for (std::size_t t = 0; t < normals.size(); ++t)
+    for (const Index v : mesh.triangles[t])
+      around[static_cast<std::size_t>(v)] += normals[t];
+  const EdgeAdjacency adjacency(mesh);
+  const double limit = std::cos(kFoldAngle * M_PI / 180.0);
+  std::vector<Index> result;
+  for (std::size_t t = 0; t < normals.size(); ++t)
+    for (std::size_t e = 0; e < 3; ++e) {
+      const Index twin = adjacency.twin(static_cast<Index>(3 * t + e));
+      const auto other = static_cast<std::size_t>(twin / 3);
+      if (twin < 0 || other <= t || normals[t].isZero(0.0) || normals[other].isZero(0.0))
+        continue;
+      const Vector3 mine = normals[t].normalized();
+      const Vector3 theirs = normals[other].normalized();
+      if (mine.dot(theirs) >= limit)
+        continue;
+      const Vector3 mean = around[static_cast<std::size_t>(mesh.triangles[t][e])] +
+                           around[static_cast<std::size_t>(mesh.triangles[t][(e + 1) % 3])];
+      result.push_back(static_cast<Index>(mine.dot(mean) < theirs.dot(mean) ? t : other));
+    }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+std::vector<Index> trianglesAgainst(const TriangleMesh& mesh, const TriangleMesh& truth,
+                                    unsigned threads) {
+  validate(mesh, kStage);
+  const TriangleBvh bvh(truth);
+  if (bvh.empty())
+    throw InvalidInputError(kStage, "the true surface has no triangles");
+  const Points truth_normals = upwardNormals(truth);
+  const Points normals = areaNormals(mesh);
+  std::vector<char> against(normals.size(), 0);
+  parallelFor(normals.size(), 512, threads, [&](std::size_t t) {
+    Vector3 centre = Vector3::Zero();
+    for (const Index v : mesh.triangles[t])
+      centre += mesh.vertices[static_cast<std::size_t>(v)] / 3.0;
+    const MeshPoint nearest = bvh.nearest(centre);
+    against[t] = normals[t].dot(truth_normals[static_cast<std::size_t>(nearest.triangle)]) < 0.0;
+  });
+  return minority(against, normals);
+}
+
+std::vector<Index> trianglesFacingDown(const TriangleMesh& mesh) {
+  validate(mesh, kStage);
+  const Points normals = areaNormals(mesh);
+  std::vector<char> down(normals.size(), 0);
+  for (std::size_t t = 0; t < normals.size(); ++t)
+    down[t] = normals[t].z() < 0.0 ? 1 : 0;
+  return minority(down, normals);
+}
+
+} // namespace graben
