@@ -1,0 +1,12 @@
+#pragma once
+
+namespace graben {
+
+/// How the last run of a surface class went: an empty mesh alone does not say.
+enum class SurfaceStatus {
+  NotRun,
+  Complete, ///< the output is the result
+  Failed    ///< the input or an option cannot be used, see the message; the output is empty
+};
+
+} // namespace graben

@@ -1,0 +1,159 @@
+#include "graben/surface/hoppe_surface.h"
+
+#include "graben/core/errors.h"
+#include "graben/features/sampling.h"
+#include "graben/mesh/bounds.h"
+#include "graben/mesh/normals.h"
+#include "graben/surface/fault_cut.h"
+#include "graben/surface/sheet_extraction.h"
+#include "graben/surface/voxel_size.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace graben {
+
+namespace {
+
+void check(bool good, const char* message) {
+  if (!good)
+    throw InvalidInputError("marching cubes", message);
+}
+
+void checkOptions(const HoppeSurfaceOptions& o) {
+  for (const double length : {o.voxel_size, o.rho, o.delta, o.fault_reach})
+    check(std::isfinite(length) && length >= 0.0,
+          "The voxel size, rho, delta and the fault reach must "
+          "be positive, or 0 to have them estimated.");
+  check(std::isfinite(o.distance_limit), "The distance to ignore must be a finite number.");
+  check(std::isfinite(o.iso_level), "The iso level must be a finite number.");
+  check(o.flip_angle >= 0.0 && o.flip_angle <= 180.0, "The flip angle must be 0 to 180 degrees.");
+  check(std::isfinite(o.box_extension) && o.box_extension > -1.0,
+        "The extension of the grid must be more than -1, which would leave no box at all.");
+  check(o.snap >= 0.0 && o.snap <= 0.4, "The snap fraction must be 0 to 0.4.");
+  for (const int cells : o.resolution)
+    check(cells >= 0, "The grid resolution must be positive.");
+}
+
+bool threeDistinct(const Points& points) {
+  const auto other = std::find_if(points.begin(), points.end(),
+                                  [&](const Vector3& p) { return p != points.front(); });
+  return std::any_of(other, points.end(),
+                     [&](const Vector3& p) { return p != points.front() && p != *other; });
+}
+
+Bounds boxOf(const Points& points, double extension) {
+  Bounds box = boundsOf(points);
+  const Vector3 margin = 0.5 * extension * box.size();
+  box.low -= margin;
+  box.high += margin;
+  return box;
+}
+
+double voxelSize(const NeighborGrid& grid, const Bounds& box, const HoppeSurfaceOptions& options) {
+  double h = options.voxel_size;
+  for (int axis = 0; axis < 3 && options.voxel_size == 0.0; ++axis)
+    if (options.resolution[static_cast<std::size_t>(axis)] > 0)
+      h = std::max(h, box.size()[axis] / options.resolution[static_cast<std::size_t>(axis)]);
+  if (h == 0.0)
+    h = estimateVoxelSize(grid, options.threads);
+  check(h > 0.0 && std::isfinite(h), "No voxel size can be found; set one.");
+  return h;
+}
+
+std::size_t memoryLimit(const HoppeSurfaceOptions& options) {
+  if (options.memory_limit > 0)
+    return options.memory_limit;
+  const long pages = sysconf(_SC_PHYS_PAGES);
+  const long page = sysconf(_SC_PAGESIZE);
+  return pages > 0 && page > 0
+             ? static_cast<std::size_t>(pages) / 4 * 3 * static_cast<std::size_t>(page)
+             : 0;
+}
+
+void dropOutside(CutMesh& cut, const Bounds& box) {
+  std::vector<Triangle>& triangles = cut.mesh.triangles;
+  const auto outside = [&](const Triangle& t) {
+    return std::none_of(t.begin(), t.end(), [&](Index v) {
+      const Vector3& p = cut.mesh.vertices[static_cast<std::size_t>(v)];
+      return (p.array() >= box.low.array()).all() && (p.array() <= box.high.array()).all();
+    });
+  };
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), outside), triangles.end());
+  removeUnreferencedVertices(cut);
+}
+
+/// Fills in what is to be estimated. \return the distance of Hoppe's boundary test
+double boundaryDistance(const NeighborGrid& grid, const HoppeSurfaceOptions& options,
+                        HoppeSurface& result) {
+  result.rho = options.rho;
+  result.delta = options.delta;
+  if (options.distance_limit > 0.0)
+    return options.distance_limit;
+  if (options.rho == 0.0 || options.delta == 0.0) {
+    const Sampling sampling = estimateSampling(grid, options.threads);
+    result.rho = options.rho > 0.0 ? options.rho : sampling.rho;
+    result.delta = options.delta > 0.0 ? options.delta : sampling.delta;
+  }
+  return result.rho + result.delta;
+}
+
+SignedDistanceOptions fieldOptions(double boundary, double h, const HoppeSurfaceOptions& options) {
+  SignedDistanceOptions o;
+  o.rho_plus_delta = boundary;
+  o.overhang = options.distance_limit > 0.0 ? boundary : h;
+  o.fault_reach = options.fault_reach > 0.0 ? options.fault_reach : 6.0 * boundary;
+  // Values are asked for within a cell's diagonal of the surface, which lies the iso level away.
+  o.voxel_size = h + std::abs(options.iso_level) / std::sqrt(3.0);
+  o.blend = std::max<std::size_t>(1, options.blend);
+  return o;
+}
+
+ExtractionOptions extractionOptions(double h, const HoppeSurfaceOptions& options) {
+  ExtractionOptions o;
+  o.lattice.voxel_size = h;
+  o.lattice.origin = Vector3::Constant(0.5 * h);
+  o.iso_level = options.iso_level;
+  o.flip_angle = options.flip_angle;
+  o.snap = options.snap;
+  o.threads = options.threads;
+  o.memory_limit = memoryLimit(options);
+  return o;
+}
+
+} // namespace
+
+HoppeSurface hoppeSurface(const Points& points, const Points& normals, const FaultNetwork& faults,
+                          const HoppeSurfaceOptions& options) {
+  checkOptions(options);
+  check(threeDistinct(points), "There must be three distinct points with normals or more.");
+  HoppeSurface result;
+  const NeighborGrid grid(points, 0.0, options.threads);
+  const Bounds box = boxOf(points, options.box_extension);
+  const double boundary = boundaryDistance(grid, options, result);
+  const double h = result.voxel_size = voxelSize(grid, box, options);
+
+  TangentPlanes planes;
+  planes.centres = points;
+  planes.normals = normals;
+  const SignedDistance field(grid, planes, faults, fieldOptions(boundary, h, options));
+  const SheetMesh sheets = extractSheets(field, extractionOptions(h, options));
+  result.cells = sheets.cells;
+  result.rejected_by_flip_angle = sheets.rejected_by_flip_angle;
+
+  FaultCutOptions cutting;
+  cutting.tolerance = 0.02 * h;
+  cutting.threads = options.threads;
+  result.cut = cutSheets(sheets, faults, cutting);
+  if (options.box_extension < 0.0)
+    dropOutside(result.cut, box);
+  check(!result.cut.mesh.empty(),
+        "No surface was found: the points are too sparse for the voxel size, "
+        "or rho, delta or the distance to ignore are too small.");
+  computeVertexNormals(result.cut.mesh, options.threads);
+  return result;
+}
+
+} // namespace graben
