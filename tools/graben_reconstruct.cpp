@@ -2,6 +2,8 @@
 #include "support/results_folder.h"
 #include "support/run.h"
 
+#include "graben/core/errors.h"
+
 #include <cstdio>
 
 namespace graben {
@@ -36,7 +38,16 @@ void say(const ReconstructionResult& result) {
     std::printf("%-15s %8.3f s\n", s.stage.c_str(), s.seconds);
 }
 
-int reconstruct(const OptionValues& values) {
+/// Errors name the file of the picks.
+ReconstructionResult reconstruct(const OptionValues& values, const HorizonInput& input) {
+  try {
+    return HorizonReconstruction(reconstructionOptions(values, input.picks.z_positive)).reconstruct(input.picks.points, input.faults);
+  } catch (const Error& error) {
+    throw Error("reconstructing " + values.text("horizon"), error.what());
+  }
+}
+
+int run(const OptionValues& values) {
   const bool quiet = values.has("quiet");
   if (!values.has("output") && !values.has("results"))
     throw UsageError("--output SURFACE is missing: where shall the horizon go?");
@@ -45,16 +56,19 @@ int reconstruct(const OptionValues& values) {
   for (const std::string& note : input.notes)
     if (!quiet)
       std::fprintf(stderr, "note: %s\n", note.c_str());
-  const ReconstructionResult result = HorizonReconstruction(reconstructionOptions(values, input.picks.z_positive)).reconstruct(input.picks.points, input.faults);
+  const ReconstructionResult result = reconstruct(values, input);
   for (const std::string& warning : result.report.warnings)
     std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  writeOutputs(values, input, result);
-  if (!quiet)
-    say(result);
+  const std::vector<std::string> notes = writeOutputs(values, input, result);
+  if (quiet)
+    return 0;
+  for (const std::string& note : notes)
+    std::fprintf(stderr, "note: %s\n", note.c_str());
+  say(result);
   return 0;
 }
 
 } // namespace
 } // namespace graben
 
-int main(int argc, char** argv) { return graben::runTool(graben::parser(), argc, argv, graben::reconstruct); }
+int main(int argc, char** argv) { return graben::runTool(graben::parser(), argc, argv, graben::run); }

@@ -86,6 +86,13 @@ void writeText(const fs::path& file, const std::string& text) {
   out.commit();
 }
 
+void checkFile(const fs::path& path) {
+  if (fs::is_directory(path))
+    throw IoError(path.string(), "is a folder, not a file to write to");
+  if (!path.parent_path().empty() && !fs::is_directory(path.parent_path()))
+    throw IoError(path.string(), "the folder it should go to does not exist; make it first");
+}
+
 } // namespace
 
 void checkOutputs(const OptionValues& values) {
@@ -100,9 +107,12 @@ void checkOutputs(const OptionValues& values) {
         list += " " + e;
       throw UsageError("--output " + path.string() + ": its extension must be one of" + list);
     }
-    if (!path.parent_path().empty() && !fs::is_directory(path.parent_path()))
-      throw IoError(path.string(), "the folder it should go to does not exist; make it first");
+    checkFile(path);
   }
+  if (values.has("report"))
+    checkFile(values.text("report"));
+  if (values.has("results") && fs::exists(values.text("results")) && !fs::is_directory(values.text("results")))
+    throw IoError(values.text("results"), "is a file; --results needs a folder");
 }
 
 std::vector<std::string> writeOutputs(const OptionValues& values, const HorizonInput& input, const ReconstructionResult& result) {
