@@ -130,26 +130,39 @@ private:
       mesh.vertices[static_cast<std::size_t>(real_count_) + g] = placeOn(ghosts_[g]);
   }
 
-  /// The lattice vertex a mesh vertex is drawn to, -1 if it is too far from both ends of its edge.
-  Index snapTarget(const GhostEdge& edge) const {
-    const double t = parameterOn(edge);
-    return t < options_.snap ? edge.low : t > 1.0 - options_.snap ? edge.high : -1;
+  /// Lattice vertices that have the surface within options_.snap of an edge's length on one of their edges.
+  std::vector<std::uint8_t> snappedNodes(const std::vector<GhostEdge>& edges) const {
+    std::vector<std::uint8_t> snapped(nodes_.size(), 0);
+    for (const GhostEdge& edge : edges) {
+      const double t = parameterOn(edge);
+      if (t < options_.snap)
+        snapped[static_cast<std::size_t>(edge.low)] = 1;
+      if (t > 1.0 - options_.snap)
+        snapped[static_cast<std::size_t>(edge.high)] = 1;
+    }
+    return snapped;
   }
 
-  /// Joins the vertices drawn to the same lattice vertex in their mean; vertices are numbered anew in the order of the first of each group.
+  /// All vertices on the edges of a snapped lattice vertex become one, in the mean of (mostly) those near it. An edge between two snapped ends goes to the
+  /// outer one, so that no triangle is left between them. Vertices are numbered anew in the order of the first of each group.
   void snap(TriangleMesh& mesh) {
     std::vector<GhostEdge> edges(mesh.vertices.size());
     for (std::size_t s = 0; s < upper_.size(); ++s)
       if (vertex_[s] >= 0)
         edges[static_cast<std::size_t>(vertex_[s])] = {static_cast<Index>(s / 3), upper_[s].load(std::memory_order_relaxed)};
     std::copy(ghosts_.begin(), ghosts_.end(), edges.begin() + real_count_);
+    const std::vector<std::uint8_t> snapped = snappedNodes(edges);
 
     std::vector<Index> group(nodes_.size(), -1);
-    std::vector<int> members;
+    std::vector<int> members; // weights: a vertex near its target outweighs the far ones, which matter where there is no other
     Points sums;
     snapped_.resize(edges.size());
     for (std::size_t v = 0; v < edges.size(); ++v) {
-      const Index target = snapTarget(edges[v]);
+      const Index outer = inside(edges[v].low) ? edges[v].high : edges[v].low;
+      const Index inner = inside(edges[v].low) ? edges[v].low : edges[v].high;
+      const Index target = snapped[static_cast<std::size_t>(outer)] != 0   ? outer
+                           : snapped[static_cast<std::size_t>(inner)] != 0 ? inner
+                                                                           : -1;
       Index id = target < 0 ? -1 : group[static_cast<std::size_t>(target)];
       if (id < 0) {
         id = static_cast<Index>(sums.size());
@@ -159,8 +172,11 @@ private:
           group[static_cast<std::size_t>(target)] = id;
       }
       snapped_[v] = id;
-      sums[static_cast<std::size_t>(id)] += mesh.vertices[v];
-      ++members[static_cast<std::size_t>(id)];
+      const double t = parameterOn(edges[v]);
+      const double from_target = target == edges[v].low ? t : 1.0 - t;
+      const int weight = target < 0 || from_target <= options_.snap ? 1000 : 1;
+      sums[static_cast<std::size_t>(id)] += weight * mesh.vertices[v];
+      members[static_cast<std::size_t>(id)] += weight;
     }
     for (std::size_t i = 0; i < sums.size(); ++i)
       sums[i] /= members[i];
