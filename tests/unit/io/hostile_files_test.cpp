@@ -104,6 +104,16 @@ TEST(HostileFiles, damagedPicks) {
   damage(folder, ".xyz", contentOf(folder.path("good.xyz")), picks);
 }
 
+TEST(HostileFiles, damagedFaults) {
+  const TempFolder folder;
+  damage(folder, ".pol", "1 2 3\n4 5 6\n999 999 999\n7 8 9\n1 2 3.5\n999 999 999\n", faults);
+  damage(folder, ".dat", "INLINE- 784 604 1.5 2 3 F 1 1\nINLINE- 784 642 5 6 7 F 1 1\n", faults);
+  damage(folder, ".pl",
+         "GOCAD PLine 1\nHEADER {\nname:F\n}\nILINE\nVRTX 1 1 0 0\nPVRTX 2 2 0 0 7\n"
+         "ATOM 3 1\nSEG 1 2\nSEG 2 3\nEND\n",
+         faults);
+}
+
 TEST(HostileFiles, cutShortIsSaid) {
   const TempFolder folder;
   const TriangleMesh mesh = sampleMesh();
