@@ -1,4 +1,5 @@
-// Files that are cut short, lie about their size or hold noise: always an error of ours, never a crash or a large allocation.
+// Files that are cut short, lie about their size or hold noise: a result or an error of ours,
+// never a crash or a large allocation.
 #include "graben/core/errors.h"
 #include "graben/io/fault_reader.h"
 #include "graben/io/mesh_reader.h"
