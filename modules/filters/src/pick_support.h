@@ -1,0 +1,66 @@
+#pragma once
+
+#include "robust_plane.h"
+
+#include "graben/faults/fault_network.h"
+#include "graben/features/neighbor_grid.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace graben::detail {
+
+/// What may be built on a pick.
+enum class PickState : std::uint8_t {
+  Trusted,  ///< farther than the band from every fault, or accepted
+  Pending,  ///< not judged yet
+  Suspect,  ///< disagrees with its own sheet
+  WrongSide,
+  Smeared,
+  Doubtful ///< a suspect that nothing explains
+};
+
+/// The picks of the job and what is known of them so far.
+struct PickField {
+  const NeighborGrid& grid;
+  const FaultNetwork& faults;
+  double mean_distance;
+  double scale;                          ///< least deviation to reckon with in robust fits
+  std::vector<double> distances;         ///< to the nearest fault; infinite beyond the band
+  std::vector<PickState> states;
+  std::vector<Index> wrong_about;        ///< the fault a flagged pick is flagged for, else -1
+};
+
+/// Collects the picks that planes are fitted to. One per thread.
+class PickSupport {
+public:
+  explicit PickSupport(const PickField& field)
+      : field_(field) {}
+
+  /// The nearest trusted picks on the side of \a viewpoint.
+  PlaneAt ownPlane(const Vector3& viewpoint);
+  /// The nearest suspects on that side.
+  PlaneAt suspectPlane(const Vector3& viewpoint);
+  /// Trusted picks with pending picks too, those far from faults weighing most.
+  PlaneAt consensusPlane(const Vector3& viewpoint);
+  /// The surface of the other side of one fault, continued to \a viewpoint.
+  PlaneAt planeBeyond(std::size_t fault, const Vector3& viewpoint);
+
+  /// The surface beside \a query, from the nearest picks at least \a gap farther in a direction.
+  PlaneAt planeBeside(const Vector3& query, const Vector3& direction, double gap, double radius);
+
+private:
+  template <typename Select>
+  PlaneAt plane(const Vector3& viewpoint, double radius, const Select& weightOf);
+
+  const PickField& field_;
+  std::vector<Neighbor> candidates_;
+  std::vector<WeightedPoint> chosen_;
+};
+
+/// The one fault between two points (crossed an odd number of times); NO_FAULT if there is none,
+/// SEVERAL_FAULTS if there are more.
+constexpr int NO_FAULT = -1, SEVERAL_FAULTS = -2;
+int faultBetween(const FaultNetwork& faults, const Vector3& a, const Vector3& b);
+
+} // namespace graben::detail

@@ -1,0 +1,304 @@
+#include "graben/filters/wrong_side_picks.h"
+
+#include "pick_support.h"
+
+#include "graben/core/errors.h"
+#include "graben/core/threads.h"
+#include "graben/filters/fault_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graben {
+namespace {
+
+using detail::PickField;
+using detail::PickState;
+using detail::PickSupport;
+using detail::PlaneAt;
+
+constexpr std::size_t GRAIN = 32;
+constexpr double BAND = 4.0, BIN = 0.5, TOLERANCE = 0.15; // mean distances
+constexpr double DEVIATIONS = 4.0;   ///< of noise that a good pick may be off
+constexpr double SLOPE_CHANGE = 0.075; ///< of the surface between a pick and its neighbours
+constexpr double MOST_LEVERAGE = 4.0;
+constexpr double LEAST_COSINE = 0.3; ///< of the angle between two sheets that can be compared
+constexpr double ON_FAULT = 1e-3;    ///< mean distances under which a pick's side is open
+constexpr double SMEARED_FROM = 0.25; ///< share of the way to the other sheet
+
+double median(std::vector<double>& values) {
+  if (values.empty())
+    return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Square root of the area per pick, from the disc that the nearest 8 cover; coinciding ones do not
+/// count.
+double meanDistance(const NeighborGrid& grid, unsigned threads) {
+  constexpr std::size_t NEAREST = 8, SAMPLES = 8000;
+  const std::size_t count = std::min(SAMPLES, grid.size());
+  std::vector<double> found(count, 0.0);
+  parallelBlocks(count, 256, threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbor> near;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto pick = static_cast<std::size_t>(grid.order()[i * grid.size() / count]);
+      grid.nearest(grid.points()[pick], NEAREST + 1, near);
+      if (near.size() > 1)
+        found[i] = std::sqrt(M_PI * near.back().squared_distance /
+                             static_cast<double>(near.size() - 1));
+    }
+  });
+  found.erase(std::remove(found.begin(), found.end(), 0.0), found.end());
+  return median(found);
+}
+
+void validate(const WrongSideOptions& options) {
+  for (const double length :
+       {options.mean_distance, options.band, options.sigma, options.tolerance})
+    if (!std::isfinite(length) || length < 0.0)
+      throw InvalidInputError("finding wrong-side picks",
+                              "Mean distance, band, sigma and tolerance must be positive numbers, "
+                              "or 0 to have them estimated.");
+}
+
+/// Standard deviation of trusted picks about planes that lie beside them as the planes do that
+/// picks near a fault are judged by.
+double onesidedDeviation(const PickField& field, double band, unsigned threads) {
+  constexpr std::size_t SAMPLES = 2000;
+  constexpr double GOLDEN_ANGLE = 2.399963229728653, NORMAL_90_PERCENT = 1.6449;
+  const std::vector<Index>& order = field.grid.order();
+  const std::size_t step = std::max<std::size_t>(1, order.size() / SAMPLES);
+  const std::size_t count = (order.size() + step - 1) / step;
+  std::vector<double> found(count, -1.0);
+  parallelBlocks(count, GRAIN, threads, [&](std::size_t begin, std::size_t end) {
+    PickSupport support(field);
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto pick = static_cast<std::size_t>(order[i * step]);
+      if (field.states[pick] != PickState::Trusted)
+        continue;
+      const double angle = GOLDEN_ANGLE * static_cast<double>(i);
+      const Vector3 direction(std::cos(angle), std::sin(angle), 0.0);
+      const PlaneAt plane = support.planeBeside(field.grid.points()[pick], direction,
+                                                field.mean_distance, band);
+      if (plane.valid)
+        found[i] = std::abs(plane.offset) / std::sqrt(1.0 + plane.leverage);
+    }
+  });
+  found.erase(std::remove(found.begin(), found.end(), -1.0), found.end());
+  if (found.empty())
+    return 0.0;
+  std::sort(found.begin(), found.end());
+  return std::max(1.4826 * found[found.size() / 2],
+                  found[found.size() * 9 / 10] / NORMAL_90_PERCENT);
+}
+
+/// One search: the state of every pick, from far to near and back.
+class Search {
+public:
+  Search(const NeighborGrid& grid, const FaultNetwork& faults, const WrongSideOptions& options)
+      : grid_(grid)
+      , faults_(faults)
+      , options_(options)
+      , field_{grid, faults, 0.0, 0.0, {}, {}, {}} {}
+
+  WrongSideResult run() {
+    const std::size_t count = grid_.points().size();
+    field_.states.assign(count, PickState::Trusted);
+    field_.wrong_about.assign(count, -1);
+    field_.distances.assign(count, std::numeric_limits<double>::infinity());
+    if (grid_.size() > 0 && !faults_.empty())
+      search();
+    return result();
+  }
+
+private:
+  void search() {
+    if (options_.mean_distance == 0.0)
+      options_.mean_distance = meanDistance(grid_, options_.threads);
+    if (options_.mean_distance == 0.0)
+      return; // all picks coincide
+    const double h = field_.mean_distance = options_.mean_distance;
+    if (options_.band == 0.0)
+      options_.band = BAND * h;
+    if (options_.tolerance == 0.0)
+      options_.tolerance = TOLERANCE * h;
+    sortIntoBins();
+    field_.scale = 0.01 * h;
+    if (options_.sigma == 0.0)
+      options_.sigma = onesidedDeviation(field_, options_.band, options_.threads);
+    field_.scale = std::max(field_.scale, options_.sigma);
+    for (std::size_t bin = bins_.size(); bin-- > 0;)
+      judge(bins_[bin]);
+    for (const std::vector<Index>& bin : bins_)
+      explain(bin);
+  }
+
+  /// Picks of the band by distance, in the grid's order.
+  void sortIntoBins() {
+    field_.distances = distancesToFaults(grid_.points(), faults_, options_.band, &grid_.order(),
+                                         options_.threads);
+    constexpr double MOST_BINS = 1000.0;
+    const double width =
+        std::max(BIN * options_.mean_distance, options_.band / MOST_BINS);
+    for (const Index i : grid_.order()) {
+      const auto pick = static_cast<std::size_t>(i);
+      if (!std::isfinite(field_.distances[pick]))
+        continue;
+      const auto bin = static_cast<std::size_t>(field_.distances[pick] / width);
+      if (bin >= bins_.size())
+        bins_.resize(bin + 1);
+      bins_[bin].push_back(i);
+      field_.states[pick] = PickState::Pending;
+      ++judged_;
+    }
+  }
+
+  double tolerance(const PlaneAt& plane) const {
+    return std::max({options_.tolerance, SLOPE_CHANGE * plane.reach,
+                     DEVIATIONS * options_.sigma * std::sqrt(1.0 + plane.leverage)});
+  }
+
+  bool agrees(const PlaneAt& plane) const { return std::abs(plane.offset) <= tolerance(plane); }
+
+  /// True if the plane is not from so far away that it could be anywhere.
+  bool isSure(const PlaneAt& plane) const { return plane.valid && plane.leverage < MOST_LEVERAGE; }
+
+  /// Where a pick looks from: itself, or if it lies on a fault, both sides of it.
+  std::vector<Vector3> viewpoints(const Vector3& pick) const {
+    const double off = ON_FAULT * options_.mean_distance;
+    const FaultPoint near = faults_.nearest(pick, off);
+    if (near.fault < 0)
+      return {pick};
+    return {pick + off * near.normal, pick - off * near.normal};
+  }
+
+  void judge(const std::vector<Index>& bin) {
+    std::vector<PickState> found(bin.size());
+    parallelBlocks(bin.size(), GRAIN, options_.threads, [&](std::size_t begin, std::size_t end) {
+      PickSupport support(field_);
+      for (std::size_t i = begin; i < end; ++i)
+        found[i] = agreesWithItsSheet(grid_.points()[static_cast<std::size_t>(bin[i])], support)
+                       ? PickState::Trusted
+                       : PickState::Suspect;
+    });
+    for (std::size_t i = 0; i < bin.size(); ++i)
+      field_.states[static_cast<std::size_t>(bin[i])] = found[i];
+  }
+
+  bool agreesWithItsSheet(const Vector3& pick, PickSupport& support) const {
+    for (const Vector3& viewpoint : viewpoints(pick)) {
+      PlaneAt own = support.ownPlane(viewpoint);
+      if (!isSure(own)) {
+        const PlaneAt suspects = support.suspectPlane(viewpoint);
+        if (suspects.valid && agrees(suspects))
+          continue;
+        if (!own.valid)
+          own = support.consensusPlane(viewpoint);
+      }
+      if (!own.valid || agrees(own))
+        return true;
+    }
+    return false;
+  }
+
+  struct Verdict {
+    PickState state;
+    Index fault;
+  };
+
+  /// From near to far, so that what was found to belong to the other sheet continues it.
+  void explain(const std::vector<Index>& bin) {
+    std::vector<Index> suspects;
+    for (const Index i : bin)
+      if (field_.states[static_cast<std::size_t>(i)] == PickState::Suspect)
+        suspects.push_back(i);
+    std::vector<Verdict> found(suspects.size());
+    parallelBlocks(suspects.size(), GRAIN, options_.threads,
+                   [&](std::size_t begin, std::size_t end) {
+                     PickSupport support(field_);
+                     for (std::size_t i = begin; i < end; ++i)
+                       found[i] = verdict(
+                           grid_.points()[static_cast<std::size_t>(suspects[i])], support);
+                   });
+    for (std::size_t i = 0; i < suspects.size(); ++i) {
+      const auto pick = static_cast<std::size_t>(suspects[i]);
+      field_.states[pick] = found[i].state;
+      field_.wrong_about[pick] = found[i].fault;
+    }
+  }
+
+  Verdict verdict(const Vector3& pick, PickSupport& support) const {
+    const Vector3 viewpoint = viewpoints(pick).front();
+    const PlaneAt own = support.ownPlane(viewpoint);
+    if (isSure(own) && agrees(own))
+      return {PickState::Trusted, -1};
+    Verdict best = {PickState::Doubtful, -1};
+    for (std::size_t f = 0; f < faults_.size() && best.state != PickState::WrongSide; ++f) {
+      const FaultPoint near = faults_.nearest(f, viewpoint, options_.band);
+      if (near.fault < 0 || near.at_border)
+        continue;
+      const PickState state = stateBeyond(own, support.planeBeyond(f, viewpoint));
+      if (state != PickState::Doubtful)
+        best = {state, static_cast<Index>(f)};
+    }
+    return best;
+  }
+
+  /// A suspect's state, given the surface of the other side of a fault.
+  PickState stateBeyond(const PlaneAt& own, const PlaneAt& other) const {
+    if (!isSure(other))
+      return PickState::Doubtful;
+    if (!isSure(own))
+      return agrees(other) ? PickState::WrongSide : PickState::Doubtful;
+    const double along = other.normal.dot(own.normal);
+    if (std::abs(along) < LEAST_COSINE)
+      return PickState::Doubtful;
+    const double to_own = -own.offset, to_other = -other.offset / along;
+    const double between_sheets = std::abs(to_other - to_own);
+    if (between_sheets < 2.0 * options_.tolerance)
+      return PickState::Doubtful;
+    if (agrees(other) && 2.0 * std::abs(to_other) < std::abs(to_own))
+      return PickState::WrongSide;
+    const double share = to_own / (to_own - to_other);
+    return share > SMEARED_FROM && share < 1.0 ? PickState::Smeared : PickState::Doubtful;
+  }
+
+  WrongSideResult result() {
+    WrongSideResult result;
+    result.reasons.assign(field_.states.size(), PickReason::Good);
+    result.flagged_by_fault.assign(faults_.size(), 0);
+    for (std::size_t i = 0; i < field_.states.size(); ++i) {
+      if (field_.states[i] == PickState::WrongSide)
+        result.reasons[i] = PickReason::WrongSide;
+      else if (field_.states[i] == PickState::Smeared)
+        result.reasons[i] = PickReason::Smeared;
+      else
+        continue;
+      ++(result.reasons[i] == PickReason::WrongSide ? result.wrong_side : result.smeared);
+      ++result.flagged_by_fault[static_cast<std::size_t>(field_.wrong_about[i])];
+    }
+    result.faults = std::move(field_.wrong_about);
+    result.judged = judged_;
+    result.used = options_;
+    return result;
+  }
+
+  const NeighborGrid& grid_;
+  const FaultNetwork& faults_;
+  WrongSideOptions options_;
+  PickField field_;
+  std::vector<std::vector<Index>> bins_; ///< nearest first
+  std::size_t judged_ = 0;
+};
+
+} // namespace
+
+WrongSideResult findWrongSidePicks(const NeighborGrid& grid, const FaultNetwork& faults,
+                                   const WrongSideOptions& options) {
+  validate(options);
+  return Search(grid, faults, options).run();
+}
+
+} // namespace graben
