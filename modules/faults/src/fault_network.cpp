@@ -14,6 +14,8 @@ namespace {
 constexpr double kOnFault =
     1e-11; // distance, relative to the size of the coordinates, that counts as on the fault
 
+constexpr double kStub = 0.06; // of the branch reach: a branch ends within this of its main fault's far side
+
 void check(const FaultSurface& fault) {
   const std::string stage = "building the fault network";
   if (fault.mesh.empty())
@@ -36,6 +38,7 @@ FaultNetwork::FaultNetwork(std::vector<FaultSurface> faults, double branch_reach
     check(fault);
   if (branch_reach > 0.0)
     branches_ = detail::joinBranches(faults_, branch_reach);
+  stub_ = kStub * branch_reach;
   bvhs_.reserve(faults_.size());
   for (const FaultSurface& fault : faults_) {
     bvhs_.emplace_back(fault.mesh);
@@ -83,8 +86,20 @@ std::vector<FaultCrossing> FaultNetwork::crossings(std::size_t fault, const Vect
                                                    const Vector3& b) const {
   std::vector<FaultCrossing> result;
   for (const SegmentHit& hit : bvhs_[fault].allHits(a, b))
-    result.push_back(crossing(fault, hit, b - a));
+    if (!beyondMainFault(fault, hit.point))
+      result.push_back(crossing(fault, hit, b - a));
   return result;
+}
+
+bool FaultNetwork::beyondMainFault(std::size_t fault, const Vector3& p) const {
+  for (const FaultBranch& branch : branches_) {
+    if (branch.fault != static_cast<Index>(fault))
+      continue;
+    const FaultPoint main = nearest(static_cast<std::size_t>(branch.main_fault), p, stub_);
+    if (main.fault >= 0 && main.side == -branch.side && !main.at_border)
+      return true;
+  }
+  return false;
 }
 
 FaultPoint FaultNetwork::faultPoint(std::size_t fault, const Vector3& p,

@@ -67,6 +67,8 @@ public:
     prepareParameters();
     clock_.start("faults");
     buildFaults(faults);
+    clock_.start("wrong-side picks");
+    setWrongSidePicksAside();
     clock_.start("normals");
     estimateNormals();
     clock_.start("orientation");
@@ -98,10 +100,10 @@ private:
     UsedParameters& used = report.used;
     used.rho = options_.rho > 0.0 ? options_.rho : report.sampling.rho;
     used.delta = options_.delta > 0.0 ? options_.delta : report.sampling.delta;
-    const double mean_distance = meanDistance(grid_, options_.threads);
-    used.voxel_size = options_.voxel_size > 0.0 ? options_.voxel_size : mean_distance;
+    mean_distance_ = meanDistance(grid_, options_.threads);
+    used.voxel_size = options_.voxel_size > 0.0 ? options_.voxel_size : mean_distance_;
     used.zone_width = options_.zone_width > 0.0 ? options_.zone_width : 5.0 * used.voxel_size;
-    used.fault_reach = options_.fault_reach > 0.0 ? options_.fault_reach : std::max(6.0 * mean_distance, 2.0 * rhoPlusDelta());
+    used.fault_reach = options_.fault_reach > 0.0 ? options_.fault_reach : std::max(6.0 * mean_distance_, 2.0 * rhoPlusDelta());
     used.flip_angle = options_.flip_angle;
     used.neighbors = options_.neighbors;
     used.z_scale = options_.z_scale;
@@ -114,6 +116,27 @@ private:
     const double reach = result_.report.used.fault_reach;
     faults_ = std::make_shared<FaultNetwork>(prepareFaults(faults, result_.frame, reach, result_.report.warnings), reach);
     result_.local_faults = faults_;
+  }
+
+  /// Picks on the wrong side of a fault take no part in the surface; they stay in the results, each with its reason.
+  void setWrongSidePicksAside() {
+    result_.pick_reason.assign(points_.size(), PickReason::Good);
+    if (faults_->empty() || !options_.set_wrong_side_aside)
+      return;
+    WrongSideOptions o;
+    o.mean_distance = mean_distance_;
+    o.threads = options_.threads;
+    WrongSideResult found = findWrongSidePicks(grid_, *faults_, o);
+    result_.report.wrong_side_picks = found.wrong_side;
+    result_.report.smeared_picks = found.smeared;
+    result_.pick_reason = std::move(found.reasons);
+    if (found.wrong_side + found.smeared == 0)
+      return;
+    used_points_ = points_;
+    for (std::size_t i = 0; i < used_points_.size(); ++i)
+      if (result_.pick_reason[i] != PickReason::Good)
+        used_points_[i].setConstant(std::numeric_limits<double>::quiet_NaN());
+    grid_ = NeighborGrid(used_points_, 0.0, options_.threads);
   }
 
   double rhoPlusDelta() const { return result_.report.used.rho + result_.report.used.delta; }
@@ -220,6 +243,8 @@ private:
   ReconstructionResult& result_;
   StageClock clock_;
   Points points_;
+  Points used_points_; ///< points_ without those set aside; empty if all are used
+  double mean_distance_ = 0.0;
   NeighborGrid grid_;
   std::shared_ptr<const FaultNetwork> faults_;
   TangentPlanes planes_;

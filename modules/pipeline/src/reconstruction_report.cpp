@@ -64,7 +64,7 @@ Json json(const FaultReport& f, const FaultSeal* seal) {
 
 std::string toJson(const ReconstructionReport& r, bool with_timings) {
   Json j;
-  j["picks"] = {{"count", r.picks}, {"not_finite", r.picks_not_finite}};
+  j["picks"] = {{"count", r.picks}, {"not_finite", r.picks_not_finite}, {"wrong_side", r.wrong_side_picks}, {"smeared", r.smeared_picks}};
   j["sampling"] = json(r.sampling);
   j["parameters"] = json(r.used);
   j["faults"] = Json::array();

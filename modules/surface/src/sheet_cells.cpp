@@ -53,9 +53,9 @@ std::array<std::uint64_t, 8> signaturesFrom(int group, const std::array<int, 8>&
   for (int round = 0; round < 4; ++round) {
     const std::array<bool, 8> before = known;
     for (std::size_t e = 0; e < 12; ++e) {
-      for (int way = 0; way < 2; ++way) {
-        const auto from = static_cast<std::size_t>(cube::kEdge[e][static_cast<std::size_t>(way)]);
-        const auto to = static_cast<std::size_t>(cube::kEdge[e][static_cast<std::size_t>(1 - way)]);
+      for (std::size_t way = 0; way < 2; ++way) {
+        const auto from = static_cast<std::size_t>(cube::kEdge[e][way]);
+        const auto to = static_cast<std::size_t>(cube::kEdge[e][1 - way]);
         if (before[from] && !known[to]) {
           known[to] = true;
           signature[to] = signature[from] ^ crossed[e];
@@ -65,6 +65,41 @@ std::array<std::uint64_t, 8> signaturesFrom(int group, const std::array<int, 8>&
   }
   return signature;
 }
+
+/// Lattice vertices around one, in sets; used for the groups of the eight cells that share it.
+class VertexSets {
+public:
+  explicit VertexSets(const LatticeIndex& middle) : middle_(middle) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  void join(const LatticeIndex& a, const LatticeIndex& b) {
+    const int p = find(slot(a));
+    const int q = find(slot(b));
+    parent_[static_cast<std::size_t>(std::max(p, q))] = std::min(p, q);
+    used_[static_cast<std::size_t>(slot(a))] = used_[static_cast<std::size_t>(slot(b))] = true;
+  }
+
+  /// The first vertex in lattice order that is in the set of \a of.
+  LatticeIndex first(const LatticeIndex& of) const { return at(find(slot(of))); }
+
+  /// The first vertex in lattice order of all that were joined to anything.
+  LatticeIndex first() const { return at(static_cast<int>(std::find(used_.begin(), used_.end(), true) - used_.begin())); }
+
+private:
+  int slot(const LatticeIndex& p) const {
+    const LatticeIndex d = p - middle_;
+    return 9 * (d.i + 1) + 3 * (d.j + 1) + d.k + 1;
+  }
+  LatticeIndex at(int slot) const { return middle_ + LatticeIndex{slot / 9 - 1, slot / 3 % 3 - 1, slot % 3 - 1}; }
+  int find(int s) const {
+    while (parent_[static_cast<std::size_t>(s)] != s)
+      s = parent_[static_cast<std::size_t>(s)];
+    return s;
+  }
+
+  LatticeIndex middle_;
+  std::array<int, 27> parent_{};
+  std::array<bool, 27> used_{};
+};
 
 } // namespace
 
@@ -102,7 +137,8 @@ SheetCells::Frontier SheetCells::seeds() const {
   keys.reserve(centres.size());
   const double limit = kLatticeLimit * lattice_.voxel_size;
   for (std::size_t p = 0; p < centres.size(); ++p) {
-    const Vector3 centre = centres[p] + options_.iso_level * field_.planes().normals[p];
+    // A lattice vertex on the surface counts as outside, so where the surface runs along the lattice it belongs to the cells behind it.
+    const Vector3 centre = centres[p] + (options_.iso_level - 1e-6 * lattice_.voxel_size) * field_.planes().normals[p];
     if (!centre.allFinite())
       continue;
     if ((centre - lattice_.origin).cwiseAbs().maxCoeff() > limit)
@@ -229,19 +265,16 @@ std::array<std::uint64_t, 12> SheetCells::crossings(const LatticeIndex& cell) co
   return crossed;
 }
 
-bool SheetCells::isTipCell(const LatticeIndex& cell) const {
-  const auto crossed = crossings(cell);
-  const auto groups = cornerGroups(crossed);
-  for (std::size_t e = 0; e < 12; ++e)
-    if (crossed[e] != 0 && groups[static_cast<std::size_t>(cube::kEdge[e][0])] == groups[static_cast<std::size_t>(cube::kEdge[e][1])])
-      return true;
-  return false;
-}
-
-bool SheetCells::nearTip(const LatticeIndex& vertex) const {
-  for (const LatticeIndex& corner : cube::kCorner)
-    if (isTipCell(vertex - corner))
-      return true;
+/// True if what lies between the two sides ends in a cell around the vertex: some edge there is crossed and yet its ends are joined round the end.
+bool SheetCells::nearTip(const LatticeIndex& vertex, std::uint64_t signature) const {
+  for (const LatticeIndex& corner : cube::kCorner) {
+    const auto crossed = crossings(vertex - corner);
+    const auto groups = cornerGroups(crossed);
+    for (std::size_t e = 0; e < 12; ++e)
+      if (crossed[e] == signature &&
+          groups[static_cast<std::size_t>(cube::kEdge[e][0])] == groups[static_cast<std::size_t>(cube::kEdge[e][1])])
+        return true;
+  }
   return false;
 }
 
@@ -266,14 +299,15 @@ void SheetCells::addCopies(const LatticeIndex& cell) {
     SheetCell copy;
     copy.at = cell;
     copy.home = static_cast<Index>(homes_.size());
-    const auto signature = signaturesFrom(group, groups, crossed);
+    const LatticeIndex own = cell + cube::kCorner[static_cast<std::size_t>(group)];
+    const auto between = signaturesFrom(group, groups, crossed);
     Points home;
     for (std::size_t c = 0; c < 8; ++c) {
       const LatticeIndex vertex = cell + cube::kCorner[c];
-      if (groups[c] == group)
+      const bool member = groups[c] == group;
+      if (member)
         home.push_back(lattice_.position(vertex));
-      const bool real = signature[c] == 0 || nearTip(vertex);
-      copy.node[c] = real ? realNode(vertex) : ghostNode(vertex, signature[c]);
+      copy.node[c] = member || nearTip(vertex, between[c]) ? realNode(vertex) : ghostNode(vertex, own);
     }
     homes_.push_back(std::move(home));
     candidates_.push_back(copy);
@@ -284,15 +318,36 @@ Index SheetCells::realNode(const LatticeIndex& vertex) {
   Index& node = real_node_[vertex];
   if (node < 0) {
     node = static_cast<Index>(nodes_.size());
-    nodes_.push_back({vertex, 0, {}});
+    nodes_.push_back({vertex, vertex, {}});
   }
   return node;
 }
 
-Index SheetCells::ghostNode(const LatticeIndex& vertex, std::uint64_t signature) {
-  const auto [entry, added] = ghost_node_.try_emplace(GhostKey{latticeKey(vertex), signature}, static_cast<Index>(nodes_.size()));
+LatticeIndex SheetCells::seedOf(const LatticeIndex& ghost, const LatticeIndex& own) const {
+  VertexSets sets(ghost);
+  std::uint64_t only = 0;
+  bool several_faults = false;
+  for (std::size_t c = 0; c < 8; ++c) {
+    const LatticeIndex cell = ghost - cube::kCorner[c];
+    const auto crossed = crossings(cell);
+    const auto groups = cornerGroups(crossed);
+    for (const std::uint64_t signature : crossed) {
+      several_faults = several_faults || (signature != 0 && only != 0 && signature != only);
+      only = signature != 0 ? signature : only;
+    }
+    for (std::size_t k = 0; k < 8; ++k)
+      if (groups[k] != groups[c])
+        sets.join(cell + cube::kCorner[k], cell + cube::kCorner[static_cast<std::size_t>(groups[k])]);
+  }
+  return several_faults ? sets.first(own) : sets.first();
+}
+
+Index SheetCells::ghostNode(const LatticeIndex& vertex, const LatticeIndex& own) {
+  const LatticeIndex seed = seedOf(vertex, own);
+  const auto [entry, added] =
+    ghost_node_.try_emplace(GhostKey{latticeKey(vertex), latticeKey(seed)}, static_cast<Index>(nodes_.size()));
   if (added)
-    nodes_.push_back({vertex, signature, {}});
+    nodes_.push_back({vertex, seed, {}});
   return entry->second;
 }
 
@@ -301,7 +356,7 @@ void SheetCells::evaluatePending() {
   parallelBlocks(nodes_.size() - first, 256, options_.threads, [&](std::size_t begin, std::size_t end) {
     SignedDistance::Scratch scratch;
     for (std::size_t n = first + begin; n < first + end; ++n)
-      nodes_[n].field = field_.at(lattice_.position(nodes_[n].at), nodes_[n].signature, scratch);
+      nodes_[n].field = field_.at(lattice_.position(nodes_[n].at), lattice_.position(nodes_[n].seen_from), scratch);
   });
   evaluated_ = nodes_.size();
 }

@@ -6,11 +6,13 @@
 
 namespace graben {
 
-/// A corner of cells with its field value: a lattice vertex, or the same vertex seen through faults.
+/// A corner of cells with its field value: a lattice vertex, or a ghost of it: the same place on a sheet carried on through a fault.
 struct SheetNode {
   LatticeIndex at;
-  std::uint64_t signature = 0;
+  LatticeIndex seen_from; ///< the vertex itself, or for a ghost the vertex on the sheet's own side whose picks count
   FieldValue field;
+
+  bool real() const { return at == seen_from; }
 };
 
 /// A cell, or the copy of it that belongs to one side of the faults, with a piece of the surface in it.
@@ -42,10 +44,10 @@ private:
   void addWholeCell(const LatticeIndex& cell);
   void addCopies(const LatticeIndex& cell);
   std::array<std::uint64_t, 12> crossings(const LatticeIndex& cell) const;
-  bool isTipCell(const LatticeIndex& cell) const;
-  bool nearTip(const LatticeIndex& vertex) const;
+  bool nearTip(const LatticeIndex& vertex, std::uint64_t signature) const;
   Index realNode(const LatticeIndex& vertex);
-  Index ghostNode(const LatticeIndex& vertex, std::uint64_t signature);
+  Index ghostNode(const LatticeIndex& vertex, const LatticeIndex& own);
+  LatticeIndex seedOf(const LatticeIndex& ghost, const LatticeIndex& own) const;
   void evaluatePending();
   void checkMemory() const;
 
@@ -62,11 +64,11 @@ private:
   std::unordered_map<EdgeKey, std::uint64_t> crossing_;
   struct GhostKey {
     std::uint64_t vertex;
-    std::uint64_t signature;
-    bool operator==(const GhostKey& o) const { return vertex == o.vertex && signature == o.signature; }
+    std::uint64_t seed;
+    bool operator==(const GhostKey& o) const { return vertex == o.vertex && seed == o.seed; }
   };
   struct GhostHash {
-    std::size_t operator()(const GhostKey& k) const { return k.vertex * 0x9e3779b97f4a7c15ULL ^ k.signature; }
+    std::size_t operator()(const GhostKey& k) const { return k.vertex * 0x9e3779b97f4a7c15ULL ^ k.seed; }
   };
   std::unordered_map<GhostKey, Index, GhostHash> ghost_node_;
 };

@@ -62,7 +62,7 @@ private:
   }
 
   bool isReal(const GhostEdge& e) const {
-    return nodes_[static_cast<std::size_t>(e.low)].signature == 0 && nodes_[static_cast<std::size_t>(e.high)].signature == 0;
+    return nodes_[static_cast<std::size_t>(e.low)].real() && nodes_[static_cast<std::size_t>(e.high)].real();
   }
 
   static std::size_t slot(Index low, int axis) { return 3 * static_cast<std::size_t>(low) + static_cast<std::size_t>(axis); }
@@ -217,7 +217,9 @@ private:
       if (!reference.isZero()) {
         const Vector3& a = mesh.vertices[static_cast<std::size_t>(t[0])];
         const Vector3 n = (mesh.vertices[static_cast<std::size_t>(t[1])] - a).cross(mesh.vertices[static_cast<std::size_t>(t[2])] - a);
-        if (n.dot(reference) < limit * n.norm()) {
+        // A sliver's normal says nothing; leaving it out would make a pinhole.
+        const double sliver = 0.02 * options_.lattice.voxel_size * options_.lattice.voxel_size;
+        if (n.norm() > sliver && n.dot(reference) < limit * n.norm()) {
           ++rejected;
           continue;
         }

@@ -58,12 +58,12 @@ SignedDistance::SignedDistance(const NeighborGrid& grid, const TangentPlanes& pl
   query_radius_ = std::sqrt(reach * reach + 3.0 * options_.voxel_size * options_.voxel_size);
 }
 
-void SignedDistance::findVisible(const Vector3& v, std::uint64_t signature, bool near_faults, Scratch& scratch) const {
+void SignedDistance::findVisible(const Vector3& v, const Vector3& viewpoint, bool near_faults, Scratch& scratch) const {
   const std::size_t wanted = options_.blend + 1;
   const auto usable = [&](const Neighbor& c) {
     const auto i = static_cast<std::size_t>(c.index);
     return planes_.normals[i].x() == planes_.normals[i].x() &&
-           (!near_faults || faultSignature(faults_, grid_.points()[i], v) == signature);
+           (!near_faults || sameSide(faults_, grid_.points()[i], viewpoint));
   };
   // More and more candidates until enough are on the right side: far from faults the first round does.
   for (std::size_t count = wanted + 2;; count *= 4) {
@@ -117,8 +117,7 @@ bool SignedDistance::carriedToFault(const Vector3& foot, Scratch& scratch) const
   return enclosed(crossing ? Vector3(pick + 0.95 * (crossing->point - pick)) : foot, normal, scratch);
 }
 
-bool SignedDistance::supported(const Vector3& foot, const Vector3& v, std::uint64_t signature, bool near_faults,
-                               Scratch& scratch) const {
+bool SignedDistance::supported(const Vector3& foot, const Vector3& viewpoint, bool near_faults, Scratch& scratch) const {
   const Neighbor& first = scratch.visible.front();
   const Vector3 normal = planes_.normals[static_cast<std::size_t>(first.index)];
   double distance = (grid_.points()[static_cast<std::size_t>(first.index)] - foot).norm();
@@ -127,7 +126,7 @@ bool SignedDistance::supported(const Vector3& foot, const Vector3& v, std::uint6
     grid_.nearest(foot, near_faults ? 32 : 1, scratch.candidates, options_.rho_plus_delta);
     for (const Neighbor& c : scratch.candidates) {
       const auto i = static_cast<std::size_t>(c.index);
-      if (near_faults && faultSignature(faults_, grid_.points()[i], v) != signature)
+      if (near_faults && !sameSide(faults_, grid_.points()[i], viewpoint))
         continue;
       distance = std::min(distance, std::sqrt(c.squared_distance));
       break;
@@ -140,10 +139,10 @@ bool SignedDistance::supported(const Vector3& foot, const Vector3& v, std::uint6
   return near_faults && options_.fault_reach > 0.0 && carriedToFault(foot, scratch);
 }
 
-FieldValue SignedDistance::at(const Vector3& v, std::uint64_t signature, Scratch& scratch) const {
+FieldValue SignedDistance::at(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const {
   FieldValue result;
-  const bool near_faults = signature != 0 || faults_.mayTouch(boxAround(v, query_radius_));
-  findVisible(v, signature, near_faults, scratch);
+  const bool near_faults = faults_.mayTouch(boxAround(v, query_radius_));
+  findVisible(v, viewpoint, near_faults, scratch);
   if (scratch.visible.empty())
     return result;
   result.plane = scratch.visible.front().index;
@@ -167,7 +166,7 @@ FieldValue SignedDistance::at(const Vector3& v, std::uint64_t signature, Scratch
   const double value = sum / weights;
   const double length = normal.norm();
   const Vector3 foot = length > 0.0 ? Vector3(v - value * normal / length) : v;
-  if (supported(foot, v, signature, near_faults, scratch))
+  if (supported(foot, viewpoint, near_faults, scratch))
     result.value = value;
   return result;
 }

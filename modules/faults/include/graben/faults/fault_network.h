@@ -77,7 +77,8 @@ public:
   /// The crossing nearest to \a a, over all faults.
   std::optional<FaultCrossing> firstCrossing(const Vector3& a, const Vector3& b) const;
 
-  /// All crossings of one fault in order of parameter.
+  /// All crossings of one fault in order of parameter. Where a branch sticks out of the far side of
+  /// its main fault it counts as no fault.
   std::vector<FaultCrossing> crossings(std::size_t fault, const Vector3& a, const Vector3& b) const;
 
   /// The nearest point over all faults within max_distance; fault -1 if there is none.
@@ -99,12 +100,14 @@ public:
 private:
   FaultCrossing crossing(std::size_t fault, const SegmentHit& hit, const Vector3& run) const;
   FaultPoint faultPoint(std::size_t fault, const Vector3& p, const MeshPoint& found) const;
+  bool beyondMainFault(std::size_t fault, const Vector3& p) const;
 
   std::vector<FaultSurface> faults_;
   std::vector<TriangleBvh> bvhs_;
   std::vector<PseudoNormals> normals_;
   std::vector<double> tolerances_; // distance under which a point is on the fault
   std::vector<FaultBranch> branches_;
+  double stub_ = 0.0; // how far a branch may stick out of the far side of its main fault
   Bounds bounds_;
 };
 

@@ -4,7 +4,7 @@
 #include "graben/core/progress.h"
 #include "graben/faults/fault_network.h"
 #include "graben/features/orientation.h"
-#include "graben/features/sampling.h"
+#include "graben/filters/wrong_side_picks.h"
 #include "graben/pipeline/reconstruction_report.h"
 #include "graben/surface/zone_fit.h"
 
@@ -33,6 +33,7 @@ struct ReconstructionOptions {
   double fault_reach = 0.0;  ///< farthest the surface is carried on from the last picks to a fault, in x, y units; 0: estimated
   FitMode fit = FitMode::Full;
   bool smooth = true;        ///< values averaged over picks of the same side; false: Hoppe's nearest plane alone, and no refinement after the fit
+  bool set_wrong_side_aside = true; ///< picks found on the wrong side of a fault, or smeared along it, take no part in the surface
   OrientationMethod orientation = OrientationMethod::SpanningTree;
   double z_scale = 1.0;      ///< z is multiplied by this for all distance work (time in ms against metres)
   ZPositive z_positive = ZPositive::Unknown; ///< which way the picks' z grows; Unknown counts as up
@@ -48,6 +49,7 @@ struct ReconstructionResult {
   std::vector<FaultSurface> faults;     ///< faults as used: lofted, extended, with upward normals
   Points pick_normals;                  ///< oriented normal of each pick; NaN where there is none
   std::vector<Index> pick_piece;        ///< piece nearest to each pick, -1 where none is in reach
+  std::vector<PickReason> pick_reason;  ///< why a pick took no part in the surface; Good where it did
   LocalFrame frame;
   TriangleMesh local_mesh;              ///< the same mesh as the algorithms saw it: origin subtracted, z up and scaled
   std::shared_ptr<const FaultNetwork> local_faults;

@@ -45,6 +45,8 @@ struct FaultReport {
 struct ReconstructionReport {
   std::size_t picks = 0;
   std::size_t picks_not_finite = 0;
+  std::size_t wrong_side_picks = 0;      ///< picks set aside because they lie on the wrong side of a fault
+  std::size_t smeared_picks = 0;         ///< picks set aside because they lie between the two sheets at a fault
   Sampling sampling;
   UsedParameters used;
   std::vector<FaultReport> faults;

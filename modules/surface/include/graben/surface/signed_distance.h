@@ -27,8 +27,8 @@ struct FieldValue {
 
 /// Hoppe's signed distance f(v) = (v - o) . n, seen from one side of the faults.
 ///
-/// Beyond the paper: a value at v is asked for together with a fault signature. Only picks from which v has that signature take part, so signature 0
-/// gives the field of the picks that no fault hides, and the signature of a fault gives the field of the far side carried on through that fault.
+/// Beyond the paper: a value at v is asked for as seen from a viewpoint; only picks that no fault hides from there take part. Seen from v itself that
+/// is the field of v's own side; seen from a place on the other side of a fault it is that side's field, carried on through the fault.
 /// Thread-safe; holds references to what it is made from.
 class SignedDistance {
 public:
@@ -41,7 +41,7 @@ public:
     std::vector<Neighbor> visible;
   };
 
-  FieldValue at(const Vector3& v, std::uint64_t signature, Scratch& scratch) const;
+  FieldValue at(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
 
   const SignedDistanceOptions& options() const { return options_; }
   const FaultNetwork& faults() const { return faults_; }
@@ -49,8 +49,8 @@ public:
   const NeighborGrid& grid() const { return grid_; }
 
 private:
-  void findVisible(const Vector3& v, std::uint64_t signature, bool near_faults, Scratch& scratch) const;
-  bool supported(const Vector3& foot, const Vector3& v, std::uint64_t signature, bool near_faults, Scratch& scratch) const;
+  void findVisible(const Vector3& v, const Vector3& viewpoint, bool near_faults, Scratch& scratch) const;
+  bool supported(const Vector3& foot, const Vector3& viewpoint, bool near_faults, Scratch& scratch) const;
   bool surrounded(const Vector3& foot, const Vector3& normal, Scratch& scratch) const;
   bool enclosed(const Vector3& place, const Vector3& normal, Scratch& scratch) const;
   bool carriedToFault(const Vector3& foot, Scratch& scratch) const;
