@@ -14,22 +14,31 @@ using namespace graben;
 constexpr double kHuge = 1e12;
 
 OptionParser parser() {
-  OptionParser p("graben_evaluate", "Measures a horizon surface: topology, triangle shapes, and whatever picks, faults, truth and cutoff lines "
-                                    "it is given to be measured against. Distances are in x, y units.");
+  OptionParser p("graben_evaluate",
+                 "Measures a horizon surface: topology, triangle shapes, and whatever picks, "
+                 "faults, truth and cutoff lines "
+                 "it is given to be measured against. Distances are in x, y units.");
   declareEvaluationInput(p);
   p.section("Measuring")
       .value("zone-width", "W", "near a fault is what lies within this distance of it", "300")
-      .value("voxel-size", "H", "what the surface was made with; vertices up to 0.01 H from a fault lie on it (default: the median edge)")
-      .value("sigma", "S", "noise of the picks; distances to the truth are then told, and limited, in sigma")
+      .value("voxel-size", "H",
+             "what the surface was made with; vertices up to 0.01 H from a fault lie on it "
+             "(default: the median edge)")
+      .value("sigma", "S",
+             "noise of the picks; distances to the truth are then told, and limited, in sigma")
       .value("samples", "N", "sample points on each surface and over the cutoff lines", "100000")
-      .value("threads", "N", "0: one per processor; the figures are the same for every number", "0");
+      .value("threads", "N", "0: one per processor; the figures are the same for every number",
+             "0");
   p.section("Output")
       .value("report", "FILE.json", "all figures")
-      .flag("check", "exit with 1 if the topology is not ok or a triangle joins the sides of a fault")
+      .flag("check",
+            "exit with 1 if the topology is not ok or a triangle joins the sides of a fault")
       .flag("quiet", "say nothing but errors");
-  p.epilog("A flipped triangle is one on the wrong side of an edge folded by more than 120 degrees, or one whose normal points away from that of "
+  p.epilog("A flipped triangle is one on the wrong side of an edge folded by more than 120 "
+           "degrees, or one whose normal points away from that of "
            "the nearest true triangle.\n"
-           "Example:\n  graben_evaluate top.ply --picks horizon.xyz --fault fault_1.ts --truth truth.ply --cutoffs cutoff_*.pol --sigma 2\n");
+           "Example:\n  graben_evaluate top.ply --picks horizon.xyz --fault fault_1.ts --truth "
+           "truth.ply --cutoffs cutoff_*.pol --sigma 2\n");
   return p;
 }
 
@@ -70,10 +79,13 @@ int evaluate(const OptionValues& values) {
   if (!values.has("check") || evaluation.ok())
     return 0;
   std::fprintf(stderr, "graben_evaluate: check failed: %s%zu bridging triangles\n",
-               evaluation.topology.ok() ? "" : "the topology is not ok; ", evaluation.bridging_triangles.value_or(0));
+               evaluation.topology.ok() ? "" : "the topology is not ok; ",
+               evaluation.bridging_triangles ? evaluation.bridging_triangles->size() : 0);
   return 1;
 }
 
 } // namespace
 
-int main(int argc, char** argv) { return runTool(parser(), argc, argv, evaluate); }
+int main(int argc, char** argv) {
+  return runTool(parser(), argc, argv, evaluate);
+}

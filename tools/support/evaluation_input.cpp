@@ -12,7 +12,8 @@ namespace {
 /// Reads files one after the other into one local frame.
 class Collector {
 public:
-  explicit Collector(EvaluationFiles& files) : files_(files) {}
+  explicit Collector(EvaluationFiles& files)
+      : files_(files) {}
 
   TriangleMesh local(const TriangleMesh& mesh, bool turn_over = false) const {
     TriangleMesh result;
@@ -46,7 +47,8 @@ public:
       note(lines.notes);
       const auto* sticks = std::get_if<std::vector<FaultStick>>(&lines.geometry);
       if (sticks == nullptr)
-        throw InvalidInputError("reading cutoff lines", file + " holds a surface; cutoff lines are polylines (.pol .pl)");
+        throw InvalidInputError("reading cutoff lines",
+                                file + " holds a surface; cutoff lines are polylines (.pol .pl)");
       const bool turn = turnOver(lines.z_positive, file);
       for (const FaultStick& stick : *sticks) {
         files_.input.cutoffs.push_back(local(stick.points, turn));
@@ -63,7 +65,9 @@ public:
     return result;
   }
 
-  void note(const std::vector<std::string>& notes) { files_.notes.insert(files_.notes.end(), notes.begin(), notes.end()); }
+  void note(const std::vector<std::string>& notes) {
+    files_.notes.insert(files_.notes.end(), notes.begin(), notes.end());
+  }
 
 private:
   bool turnOver(ZPositive z_positive, const std::string& what) {
@@ -76,9 +80,11 @@ private:
   EvaluationFiles& files_;
 };
 
-ZPositive zPositive(const OptionValues& values, const PickSet& picks, const std::vector<MeshInput>& mesh) {
+ZPositive zPositive(const OptionValues& values, const PickSet& picks,
+                    const std::vector<MeshInput>& mesh) {
   constexpr ZPositive ways[] = {ZPositive::Unknown, ZPositive::Up, ZPositive::Down};
-  for (const ZPositive way : {ways[values.choice("z-positive", {"auto", "up", "down"})], picks.z_positive, mesh.front().z_positive})
+  for (const ZPositive way : {ways[values.choice("z-positive", {"auto", "up", "down"})],
+                              picks.z_positive, mesh.front().z_positive})
     if (way != ZPositive::Unknown)
       return way;
   return ZPositive::Up;
@@ -90,10 +96,15 @@ void declareEvaluationInput(OptionParser& p) {
   p.positionals("MESH", "the surface to measure: .ply .vtk .vtp .obj .stl or .ts", 1, 1);
   p.section("Measured against")
       .value("picks", "FILE", "picks of the horizon, for the error E(M, X)")
-      .list("fault", "FILE", "faults, surfaces or sticks as for graben_reconstruct, for bridges and seal; as they are, nothing is extended")
+      .list("fault", "FILE",
+            "faults, surfaces or sticks as for graben_reconstruct, for bridges and seal; as they "
+            "are, nothing is extended")
       .list("truth", "FILE", "true surface, for distances both ways; several files are one surface")
       .list("cutoffs", "FILE", "true cutoff lines .pol .pl, for the distance to the mesh's border")
-      .value("z-positive", "WAY", "up (elevation), down (depth, time) or auto (as the picks' or else the mesh's file says)", "auto")
+      .value(
+          "z-positive", "WAY",
+          "up (elevation), down (depth, time) or auto (as the picks' or else the mesh's file says)",
+          "auto")
       .value("z-scale", "S", "z is multiplied by this for all distances", "1");
 }
 
@@ -113,7 +124,8 @@ EvaluationFiles readEvaluationInput(const OptionValues& values) {
     collector.note(part.notes);
     append(mesh, part.mesh);
   }
-  files.frame = LocalFrame::around(mesh.vertices, zPositive(values, picks, parts), values.number("z-scale", 1e-9, 1e9));
+  files.frame = LocalFrame::around(mesh.vertices, zPositive(values, picks, parts),
+                                   values.number("z-scale", 1e-9, 1e9));
   files.input.mesh = collector.local(mesh);
   files.input.picks = collector.local(picks.points);
   std::vector<FaultSurface> faults;

@@ -111,8 +111,10 @@ void checkOutputs(const OptionValues& values) {
   }
   if (values.has("report"))
     checkFile(values.text("report"));
-  if (values.has("results") && fs::exists(values.text("results")) && !fs::is_directory(values.text("results")))
-    throw IoError(values.text("results"), "is a file; --results needs a folder");
+  if (values.has("results"))
+    for (fs::path path = values.text("results"); !path.empty() && !fs::is_directory(path); path = path.parent_path())
+      if (fs::exists(path))
+        throw IoError(values.text("results"), "the folder cannot be made: " + path.string() + " is a file");
 }
 
 std::vector<std::string> writeOutputs(const OptionValues& values, const HorizonInput& input, const ReconstructionResult& result) {

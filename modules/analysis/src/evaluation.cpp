@@ -54,7 +54,7 @@ FlippedTriangles flippedTriangles(const EvaluationInput& input, unsigned threads
   std::vector<Index> either;
   std::set_union(folded.begin(), folded.end(), against.begin(), against.end(),
                  std::back_inserter(either));
-  return {folded.size(), against.size(), trianglesFacingDown(input.mesh).size(), either.size()};
+  return {folded.size(), against.size(), trianglesFacingDown(input.mesh).size(), either};
 }
 
 void measureAtFaults(const EvaluationInput& input, const EvaluationOptions& o,
@@ -64,7 +64,7 @@ void measureAtFaults(const EvaluationInput& input, const EvaluationOptions& o,
   seal.tolerance = o.on_fault * result.voxel_size;
   seal.threads = o.threads;
   result.bridging_triangles =
-      bridgingTriangles(input.mesh, input.faults, seal.tolerance, o.threads).size();
+      bridgingTriangles(input.mesh, input.faults, seal.tolerance, o.threads);
   result.seal = checkSeal(input.mesh, input.faults, seal);
   if (input.truth.empty())
     return;

@@ -37,10 +37,10 @@ struct PickErrors {
 };
 
 struct FlippedTriangles {
-  std::size_t folded = 0;      ///< see foldedTriangles
-  std::size_t against = 0;     ///< see trianglesAgainst; 0 without truth
-  std::size_t facing_down = 0; ///< see trianglesFacingDown
-  std::size_t flipped = 0;     ///< folded or against the truth
+  std::size_t folded = 0;       ///< see foldedTriangles
+  std::size_t against = 0;      ///< see trianglesAgainst; 0 without truth
+  std::size_t facing_down = 0;  ///< see trianglesFacingDown
+  std::vector<Index> triangles; ///< folded or against the truth, in rising order
 };
 
 /// All figures of a surface. What needs an input that was not given is empty.
@@ -51,8 +51,8 @@ struct SurfaceEvaluation {
   TriangleQuality quality;
   FlippedTriangles flipped;
   std::optional<PickErrors> picks;
-  std::optional<std::size_t> bridging_triangles;
-  std::optional<SealReport> seal; ///< border vertices within h of a fault
+  std::optional<std::vector<Index>> bridging_triangles; ///< see bridgingTriangles
+  std::optional<SealReport> seal;                       ///< border vertices within h of a fault
   std::optional<SurfaceDistances> truth;
   std::size_t truth_components = 0; ///< pieces there should be
   std::optional<SealReport>
@@ -60,7 +60,7 @@ struct SurfaceEvaluation {
   std::optional<CutoffDistances> cutoffs;
 
   /// True if the topology is ok and no triangle joins the sides of a fault.
-  bool ok() const { return topology.ok() && bridging_triangles.value_or(0) == 0; }
+  bool ok() const { return topology.ok() && (!bridging_triangles || bridging_triangles->empty()); }
 };
 
 /// Measures a surface; deterministic, the same for every number of threads.

@@ -62,7 +62,7 @@ template <typename Json>
 Json toJson(const SurfaceEvaluation& e) {
   Json j = {{"voxel_size", e.voxel_size}, {"zone_width", e.zone_width}};
   j["topology"] = toJson<Json>(e.topology);
-  j["flipped"] = {{"flipped", e.flipped.flipped},
+  j["flipped"] = {{"flipped", e.flipped.triangles.size()},
                   {"folded", e.flipped.folded},
                   {"against_truth", e.flipped.against},
                   {"facing_down", e.flipped.facing_down}};
@@ -72,7 +72,7 @@ Json toJson(const SurfaceEvaluation& e) {
                                 {"zone", toJson<Json>(e.picks->zone)},
                                 {"away", toJson<Json>(e.picks->away)}};
   if (e.bridging_triangles)
-    j["bridging_triangles"] = *e.bridging_triangles;
+    j["bridging_triangles"] = e.bridging_triangles->size();
   if (e.seal)
     j["seal"] = toJson<Json>(e.seal->all);
   if (e.seal_by_truth)
