@@ -1,0 +1,149 @@
+#include "support/tool.h"
+
+#include "graben/io/mesh_reader.h"
+#include "graben/mesh/triangle_bvh.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <pcl/PCLPointCloud2.h>
+#include <pcl/io/pcd_io.h>
+
+namespace graben {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsSubsetOf;
+using testing::StartsWith;
+
+class ReconstructResults : public test::ToolTest {
+protected:
+  /// A sample of \a picks in the folder, named as the option says.
+  void synthesize(const std::string& folder, const std::string& options) const {
+    ASSERT_EQ(run("synthesize", "--quiet --output " + folder + " " + options).code, 0);
+  }
+};
+
+TEST_F(ReconstructResults, FolderHoldsAllThatGoesWithTheSurface) {
+  synthesize("s", "--kind branch --picks 3000 --origin 461000,5931000,1700 --z-positive down");
+  const test::Outcome outcome = run(
+      "reconstruct", "--horizon s/horizon.xyz --fault s/fault_1.ts s/fault_2.pol --z-positive down "
+                     "--output top.ply --results out/results");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const std::set<std::string> files = names("out/results");
+  EXPECT_THAT((std::set<std::string>{"surface.ply", "surface.vtk", "piece_1.ts", "piece_2.ts",
+                                     "piece_3.ts", "fault_1_fault_1.ts", "fault_2_fault_2.ts",
+                                     "picks.pcd", "report.json"}),
+              IsSubsetOf(files));
+  EXPECT_EQ(content("out/results/surface.ply"), content("top.ply"));
+  EXPECT_THAT(content("top.ply"), HasSubstr("property double x"));
+  for (const std::string picture : {"map.png", "oblique.png", "pieces.png"})
+    if (outcome.errors.find("No pictures: ") == std::string::npos) {
+      EXPECT_THAT(content("out/results/" + picture), StartsWith("\x89PNG")) << picture;
+    }
+
+  const TriangleMesh top = readMesh(path("top.ply"));
+  EXPECT_EQ(top.normals.size(), top.vertices.size());
+  EXPECT_EQ(top.piece.size(), top.vertices.size());
+  std::size_t triangles = 0;
+  for (int piece = 1; piece <= 3; ++piece) {
+    const std::string name = "out/results/piece_" + std::to_string(piece) + ".ts";
+    const std::vector<MeshInput> parts = readMeshes(path(name));
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_EQ(parts[0].z_positive, ZPositive::Down);
+    triangles += parts[0].mesh.triangles.size();
+    EXPECT_THAT(content(name), StartsWith("GOCAD TSurf 1\n"));
+  }
+  EXPECT_EQ(triangles, top.triangles.size());
+  EXPECT_FALSE(readMesh(path("out/results/fault_2_fault_2.ts")).empty());
+}
+
+TEST_F(ReconstructResults, PicksOpenInPclWithNormalsAndPiece) {
+  synthesize("s", "--kind normal --picks 2000 --origin 461000,5931000,1700");
+  ASSERT_EQ(run("reconstruct", "--horizon s/horizon.xyz --fault s/fault_1.ts --results r").code, 0);
+  pcl::PCLPointCloud2 cloud;
+  ASSERT_EQ(pcl::io::loadPCDFile(path("r/picks.pcd"), cloud), 0);
+  EXPECT_EQ(cloud.width * cloud.height, 2000U);
+  std::set<std::string> fields;
+  for (const auto& field : cloud.fields)
+    fields.insert(field.name);
+  EXPECT_THAT((std::set<std::string>{"x", "y", "z", "normal_x", "normal_y", "normal_z"}),
+              IsSubsetOf(fields));
+  EXPECT_GE(fields.size(), 7U); // and the piece
+}
+
+TEST_F(ReconstructResults, ReportIsJsonWithTheSameFiguresAsTheFolder) {
+  synthesize("s", "--kind tip --picks 2000");
+  ASSERT_EQ(run("reconstruct",
+                "--horizon s/horizon.xyz --fault s/fault_1.ts --results r --report other.json")
+                .code,
+            0);
+  const auto report = nlohmann::json::parse(content("r/report.json"));
+  EXPECT_EQ(report, nlohmann::json::parse(content("other.json")));
+  EXPECT_EQ(report["picks"]["count"], 2000);
+  EXPECT_EQ(report["topology"]["pieces"], 1);
+  EXPECT_EQ(report["topology"]["triangles"], readMesh(path("r/surface.ply")).triangles.size());
+  EXPECT_EQ(report["faults"].size(), 1U);
+  EXPECT_GT(report["stages"].size(), 5U);
+}
+
+TEST_F(ReconstructResults, OneAndFourThreadsGiveTheSameBytes) {
+  synthesize("s", "--kind branch --picks 20000 --origin 461000,5931000,1700");
+  const std::string arguments =
+      "--horizon s/horizon.xyz --fault s/fault_1.ts s/fault_2.ts --quiet ";
+  ASSERT_EQ(run("reconstruct", arguments + "--threads 1 --output one.ply --results one").code, 0);
+  ASSERT_EQ(run("reconstruct", arguments + "--threads 4 --output four.ply --results four").code, 0);
+  EXPECT_TRUE(content("one.ply") == content("four.ply"));
+  EXPECT_EQ(names("one"), names("four"));
+  for (const std::string& name : names("one"))
+    if (name != "report.json" && name.find(".png") == std::string::npos) {
+      EXPECT_TRUE(content("one/" + name) == content("four/" + name)) << name;
+    }
+  auto one = nlohmann::json::parse(content("one/report.json"));
+  auto four = nlohmann::json::parse(content("four/report.json"));
+  one.erase("stages");
+  four.erase("stages");
+  EXPECT_EQ(one, four);
+}
+
+/// The same picks near the origin and in UTM give the same surface to the millimetre.
+TEST_F(ReconstructResults, CoordinatesComeBackInUtmToTheMillimetre) {
+  const Vector3 shift(461040.0, 5931000.0, 1680.0); // whole voxels, so that the lattices agree
+  synthesize("near", "--kind reverse --picks 3000 --origin 37,53,11");
+  synthesize("utm", "--kind reverse --picks 3000 --origin 461077,5931053,1691");
+  for (const std::string folder : {"near", "utm"})
+    ASSERT_EQ(run("reconstruct", "--horizon " + folder + "/horizon.xyz --fault " + folder +
+                                     "/fault_1.ts --voxel-size 120 --output " + folder +
+                                     ".ply --quiet")
+                  .code,
+              0);
+  const TriangleMesh near = readMesh(path("near.ply"));
+  const TriangleMesh utm = readMesh(path("utm.ply"));
+  ASSERT_EQ(utm.vertices.size(), near.vertices.size());
+  ASSERT_EQ(utm.triangles.size(), near.triangles.size());
+  const TriangleBvh bvh(near);
+  double farthest = 0.0;
+  for (const Vector3& vertex : utm.vertices)
+    farthest = std::max(farthest, bvh.nearest(vertex - shift).distance);
+  EXPECT_LT(farthest, 0.001);
+}
+
+TEST_F(ReconstructResults, EveryFormatIsWritten) {
+  synthesize("s", "--kind normal --picks 1000");
+  std::size_t triangles = 0;
+  for (const std::string extension : {"ply", "vtk", "vtp", "obj", "stl", "ts"}) {
+    ASSERT_EQ(run("reconstruct",
+                  "--horizon s/horizon.xyz --fault s/fault_1.pol --output top." + extension)
+                  .code,
+              0)
+        << extension;
+    const TriangleMesh mesh = readMesh(path("top." + extension));
+    EXPECT_FALSE(mesh.empty()) << extension;
+    if (triangles != 0 && extension != "stl") {
+      EXPECT_EQ(mesh.triangles.size(), triangles) << extension;
+    }
+    triangles = mesh.triangles.size();
+  }
+}
+
+} // namespace
+} // namespace graben

@@ -1,0 +1,142 @@
+#include "support/tool.h"
+
+#include <gmock/gmock.h>
+
+namespace graben {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class ReconstructWrongUse : public test::ToolTest {
+protected:
+  /// A small flat horizon and a fault far away from it.
+  void SetUp() override {
+    ToolTest::SetUp();
+    std::string rows;
+    for (int i = 0; i < 20; ++i)
+      for (int j = 0; j < 20; ++j)
+        rows += std::to_string(10 * i + j % 3) + " " + std::to_string(10 * j + i % 3) + " " +
+                std::to_string(100 + (i + j) % 2) + "\n";
+    write("picks.xyz", rows);
+    write("far.pol", "9000 0 0\n9000 0 300\n999 999 999\n9000 200 0\n9000 200 300\n999 999 999\n");
+  }
+
+  /// Expects an error with one line that says \a words, and a folder as it was.
+  void expectError(const std::string& arguments, int code, const std::vector<std::string>& words) {
+    const std::set<std::string> before = names();
+    const test::Outcome outcome = run("reconstruct", arguments);
+    EXPECT_EQ(outcome.code, code) << arguments << "\n" << outcome.errors;
+    EXPECT_THAT(outcome.errors, HasSubstr("graben_reconstruct: error: ")) << arguments;
+    EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+    for (const std::string& word : words)
+      EXPECT_THAT(outcome.errors, HasSubstr(word)) << arguments;
+    EXPECT_EQ(names(), before) << arguments;
+  }
+};
+
+TEST_F(ReconstructWrongUse, OfOptionsExitsWithTwo) {
+  expectError("", 2, {"--output SURFACE is missing", "--help"});
+  expectError("--output top.ply", 2, {"--horizon PICKS is missing"});
+  expectError("--horizon picks.xyz", 2, {"--output SURFACE is missing"});
+  expectError("--horizon picks.xyz --outptu top.ply", 2, {"--outptu", "did you mean --output?"});
+  expectError("--horizon picks.xyz --output top.xyzzy", 2, {"top.xyzzy", ".ply", ".ts"});
+  expectError("--horizon picks.xyz --output top", 2, {"top", ".ply"});
+  expectError("--horizon picks.xyz --output top.ply --voxel-size nan", 2, {"--voxel-size", "nan"});
+  expectError("--horizon picks.xyz --output top.ply --voxel-size -1", 2, {"--voxel-size", "-1"});
+  expectError("--horizon picks.xyz --output top.ply --fit best", 2, {"--fit", "best", "normal"});
+  expectError("picks.xyz --output top.ply", 2, {"picks.xyz"});
+}
+
+TEST_F(ReconstructWrongUse, OfInputFilesNamesTheFile) {
+  write("empty.xyz", "");
+  write("prose.xyz", "Call me Ishmael. Some years ago\nnever mind how long precisely\n");
+  write("one.xyz", "1 2 3\n");
+  write("same.xyz", "1 2 3\n1 2 3\n1 2 3\n1 2 3\n");
+  write("nan.xyz", "nan nan nan\nnan nan nan\nnan nan nan\n");
+  write("cut.pcd",
+        "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH "
+        "100\nHEIGHT 1\nPOINTS 100\nDATA binary\nabc");
+  std::string line;
+  for (int i = 0; i < 50; ++i)
+    line += std::to_string(3 * i) + " " + std::to_string(6 * i) + " " + std::to_string(i) + "\n";
+  write("line.xyz", line);
+  std::filesystem::create_directory(path("folder"));
+  const std::vector<std::string> files = {"missing.xyz", "empty.xyz", "prose.xyz",
+                                          "one.xyz",     "same.xyz",  "nan.xyz",
+                                          "line.xyz",    "cut.pcd",   "folder"};
+  for (const std::string& file : files)
+    expectError("--horizon " + file + " --output top.ply --results results", 1, {file});
+  for (const char* file : {"missing.ts", "empty.xyz", "prose.xyz", "one.xyz", "folder"})
+    expectError(std::string("--horizon picks.xyz --output top.ply --fault ") + file, 1, {file});
+}
+
+TEST_F(ReconstructWrongUse, OfOutputsIsFoundBeforeAnythingIsWritten) {
+  std::filesystem::create_directory(path("taken.ply"));
+  write("file", "mine");
+  expectError("--horizon picks.xyz --output no/top.ply", 1, {"no/top.ply", "does not exist"});
+  expectError("--horizon picks.xyz --output taken.ply", 1, {"taken.ply", "folder"});
+  expectError("--horizon picks.xyz --output top.ply --report no/r.json", 1, {"no/r.json"});
+  expectError("--horizon picks.xyz --output top.ply --report taken.ply", 1,
+              {"taken.ply", "folder"});
+  expectError("--horizon picks.xyz --output top.ply --results file", 1, {"file", "folder"});
+  expectError("--horizon picks.xyz --output top.ply --results file/below", 1, {"file"});
+  EXPECT_THAT(names("taken.ply"), IsEmpty());
+  EXPECT_EQ(content("file"), "mine");
+}
+
+TEST_F(ReconstructWrongUse, OfAFullDiskLeavesTheFormerSurface) {
+  write("top.ply", "former");
+  // ulimit -f is in blocks of 512 bytes: enough for no surface
+  const std::string command =
+      "cd '" + path(".") +
+      "' && trap '' XFSZ && ulimit -f 4 && '" GRABEN_BIN_DIR
+      "/graben_reconstruct' --horizon picks.xyz --output top.ply 2>/dev/null";
+  const int status = std::system(("bash -c \"" + command + "\"").c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_EQ(content("top.ply"), "former");
+  EXPECT_EQ(names(), (std::set<std::string>{"far.pol", "picks.xyz", "top.ply"}));
+}
+
+TEST_F(ReconstructWrongUse, TooSmallAVoxelIsAnErrorNotAHang) {
+  expectError("--horizon picks.xyz --output top.ply --voxel-size 1e-6", 1,
+              {"picks.xyz", "voxel size"});
+}
+
+TEST_F(ReconstructWrongUse, AFaultThatTouchesNothingIsAWarning) {
+  const test::Outcome outcome =
+      run("reconstruct", "--horizon picks.xyz --fault far.pol --output top.ply --quiet");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.errors, HasSubstr("warning: Fault far does not touch the horizon"));
+  EXPECT_EQ(outcome.output, "");
+  ASSERT_EQ(run("reconstruct", "--horizon picks.xyz --output without.ply --quiet").code, 0);
+  EXPECT_EQ(content("top.ply"), content("without.ply"));
+}
+
+TEST_F(ReconstructWrongUse, WindowsLineEndsAndCommasMakeNoDifference) {
+  std::string windows = "x,y,z\r\n";
+  for (const char c : content("picks.xyz"))
+    windows += c == ' ' ? "," : c == '\n' ? "\r\n" : std::string(1, c);
+  write("windows.csv", windows);
+  ASSERT_EQ(run("reconstruct", "--horizon picks.xyz --output a.ply").code, 0);
+  ASSERT_EQ(run("reconstruct", "--horizon windows.csv --output b.ply").code, 0);
+  EXPECT_EQ(content("a.ply"), content("b.ply"));
+}
+
+TEST_F(ReconstructWrongUse, DuplicatePicksGiveASoundSurface) {
+  write("twice.xyz", content("picks.xyz") + content("picks.xyz"));
+  const test::Outcome outcome = run("reconstruct", "--horizon twice.xyz --output top.ply --quiet");
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_EQ(run("evaluate", "top.ply --picks twice.xyz --check --quiet").code, 0);
+}
+
+TEST_F(ReconstructWrongUse, HelpAndVersionNeedNothing) {
+  EXPECT_THAT(run("reconstruct", "--help").output, HasSubstr("--horizon PICKS"));
+  EXPECT_EQ(run("reconstruct", "--version").code, 0);
+}
+
+} // namespace
+} // namespace graben
