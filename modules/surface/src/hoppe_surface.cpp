@@ -100,11 +100,14 @@ double boundaryDistance(const NeighborGrid& grid, const HoppeSurfaceOptions& opt
   return result.rho + result.delta;
 }
 
-SignedDistanceOptions fieldOptions(double boundary, double h, const HoppeSurfaceOptions& options) {
+SignedDistanceOptions fieldOptions(const NeighborGrid& grid, double boundary, double h,
+                                   const HoppeSurfaceOptions& options, bool faulted) {
   SignedDistanceOptions o;
   o.rho_plus_delta = boundary;
   o.overhang = options.distance_limit > 0.0 ? boundary : h;
-  o.fault_reach = options.fault_reach > 0.0 ? options.fault_reach : 6.0 * boundary;
+  o.fault_reach = options.fault_reach;
+  if (o.fault_reach == 0.0 && faulted)
+    o.fault_reach = std::max(6.0 * estimateVoxelSize(grid, options.threads), 2.0 * boundary);
   // Values are asked for within a cell's diagonal of the surface, which lies the iso level away.
   o.voxel_size = h + std::abs(options.iso_level) / std::sqrt(3.0);
   o.blend = std::max<std::size_t>(1, options.blend);
@@ -138,7 +141,8 @@ HoppeSurface hoppeSurface(const Points& points, const Points& normals, const Fau
   TangentPlanes planes;
   planes.centres = points;
   planes.normals = normals;
-  const SignedDistance field(grid, planes, faults, fieldOptions(boundary, h, options));
+  const SignedDistance field(grid, planes, faults,
+                             fieldOptions(grid, boundary, h, options, !faults.empty()));
   const SheetMesh sheets = extractSheets(field, extractionOptions(h, options));
   result.cells = sheets.cells;
   result.rejected_by_flip_angle = sheets.rejected_by_flip_angle;

@@ -4,6 +4,7 @@
 #include "graben/core/threads.h"
 #include "graben/features/sampling.h"
 #include "graben/mesh/adjacency.h"
+#include "graben/surface/voxel_size.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,8 @@ void readCloud(const QEMFaultFitter::Cloud& cloud, TangentPlanes& planes) {
 
 double searchRadius(const NeighborGrid& grid, unsigned threads) {
   const Sampling sampling = estimateSampling(grid, threads);
-  return 8.0 * (sampling.rho + sampling.delta);
+  const double boundary = sampling.rho + sampling.delta;
+  return std::max(6.0 * estimateVoxelSize(grid, threads), 2.0 * boundary) + 2.0 * boundary;
 }
 
 } // namespace

@@ -3,6 +3,8 @@
 #include "graben/surface/local_fit.h"
 #include "graben/surface/zone_fit.h"
 
+#include "vertex_moves.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -64,7 +66,7 @@ void refine(CutMesh& cut, const LocalFit& fit, const RefineOptions& options) {
         result[v] = e.valid ? moved(cut, static_cast<Index>(v), fit, e, normal, options.max_step) : at;
       }
     });
-    cut.mesh.vertices = std::move(result);
+    moveVertices(cut, fit.faults(), std::move(result), options.threads);
   }
   computeVertexNormals(cut.mesh, options.threads);
 }

@@ -1,5 +1,7 @@
 #include "graben/surface/zone_fit.h"
 
+#include "vertex_moves.h"
+
 #include "graben/core/threads.h"
 #include "graben/mesh/normals.h"
 #include "graben/faults/fault_signature.h"
@@ -138,11 +140,13 @@ ZoneFitResult fitZone(CutMesh& cut, const NeighborGrid& grid, const TangentPlane
         done[i] = fitter.fit(zone[i], moved[i], candidates) ? 1 : 0;
     });
     result = {};
+    Points targets = cut.mesh.vertices;
     for (std::size_t i = 0; i < zone.size(); ++i) {
       if (done[i] != 0)
-        cut.mesh.vertices[static_cast<std::size_t>(zone[i])] = moved[i];
+        targets[static_cast<std::size_t>(zone[i])] = moved[i];
       ++(done[i] != 0 ? result.fitted : result.without_picks);
     }
+    moveVertices(cut, faults, std::move(targets), options.threads);
   }
   return result;
 }

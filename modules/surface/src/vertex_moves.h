@@ -1,0 +1,16 @@
+#pragma once
+
+#include "graben/faults/fault_network.h"
+#include "graben/surface/cut_mesh.h"
+
+namespace graben {
+
+/// Moves the vertices of a mesh with normals to new places so that none gets through a fault.
+///
+/// Where vertices on a fault slide along it, the vertices beside them are drawn along, so that triangles keep their shape. A vertex that would
+/// still end beyond a fault stops short of it.
+/// \param[in] targets one place per vertex, at the same place for those that do not move
+/// Deterministic for any number of threads; O(vertices).
+void moveVertices(CutMesh& cut, const FaultNetwork& faults, Points targets, unsigned threads);
+
+} // namespace graben
