@@ -89,7 +89,8 @@ public:
   void setFaults(std::shared_ptr<const FaultNetwork> faults) { faults_ = std::move(faults); }
   std::shared_ptr<const FaultNetwork> getFaults() const { return faults_; }
 
-  /// Farthest a sheet is carried on from its last points to a fault; 0: 6 (rho + delta).
+  /// Farthest a sheet is carried on from its last points to a fault; 0: six distances between
+  /// points, but at least 2 (rho + delta).
   void setFaultReach(double reach) { options_.fault_reach = reach; }
 
   /// Planes a value of the field is averaged over, default 4; 1 is Hoppe's nearest plane alone.

@@ -23,10 +23,11 @@ struct HoppeSurfaceOptions {
                             ///< rho + delta and of one voxel beyond the data's edge; 0 or less: off
   double iso_level = 0.0;   ///< signed distance of the surface from the points, may be negative
   double flip_angle = 60.0; ///< degrees, 0 to 180; 180: off
-  double fault_reach = 0.0; ///< farthest the surface is carried on to a fault; 0: 6 (rho + delta)
-  std::size_t blend = 4;    ///< planes a value is averaged over; 1: Hoppe's nearest plane alone
-  double snap = 0.0;        ///< see ExtractionOptions::snap, 0 to 0.4
-  unsigned threads = 0;     ///< 0: one per processor
+  double fault_reach = 0.0; ///< farthest the surface is carried on to a fault; 0: 6 distances
+  ///< between points, but at least 2 (rho + delta)
+  std::size_t blend = 4;        ///< planes a value is averaged over; 1: Hoppe's nearest plane alone
+  double snap = 0.0;            ///< see ExtractionOptions::snap, 0 to 0.4
+  unsigned threads = 0;         ///< 0: one per processor
   std::size_t memory_limit = 0; ///< bytes the extraction may take; 0: three quarters of the memory
 };
 

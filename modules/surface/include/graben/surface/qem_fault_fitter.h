@@ -41,8 +41,8 @@ public:
   /// Picks of its own side a vertex is fitted to, 3 or more; default 15.
   void setNeighbors(int neighbors) { neighbors_ = neighbors; }
 
-  /// Picks farther than this are not used, in the mesh's units; 0: 8 (rho + delta), estimated from
-  /// the cloud.
+  /// Picks farther than this are not used, in the mesh's units; 0: as far as a surface is
+  /// carried on to a fault (see HoppeSurfaceOptions) and 2 (rho + delta) more.
   void setSearchRadius(double radius) { options_.search_radius = radius; }
 
   /// Longest move of a vertex in one pass, in the mesh's units; 0: the mesh's median edge;

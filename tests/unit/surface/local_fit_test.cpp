@@ -1,0 +1,135 @@
+#include "shapes.h"
+
+#include "graben/surface/local_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace graben {
+namespace {
+
+using Height = std::function<double(double, double)>;
+
+/// Picks on a height field with noise, exact normals, and a mesh laid over the noisy picks.
+struct Field {
+  test::Oriented picks;
+  TangentPlanes planes;
+  NeighborGrid grid;
+  FaultNetwork faults;
+  Height height;
+
+  Field(const Height& truth, double noise, std::vector<FaultSurface> fault_list = {})
+      : faults(std::move(fault_list))
+      , height(truth) {
+    picks = test::sheet(20.0, 0.5, truth);
+    test::Random random(9);
+    for (Vector3& p : picks.points)
+      p.z() += random.normal(noise);
+    planes = picks.planes();
+    grid = NeighborGrid(picks.points);
+  }
+  LocalFit fit() const { return LocalFit(grid, planes, faults, 8.0); }
+
+  /// RMS of the inner vertices' heights over the truth.
+  double rms(const TriangleMesh& mesh) const {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const Vector3& v : mesh.vertices)
+      if (v.head<2>().cwiseAbs().maxCoeff() < 17.0) {
+        sum += std::pow(v.z() - height(v.x(), v.y()), 2);
+        ++count;
+      }
+    return std::sqrt(sum / static_cast<double>(count));
+  }
+  CutMesh start(double off) const {
+    CutMesh cut;
+    cut.mesh = test::flatGrid(36, 1.0);
+    test::Random random(4);
+    for (Vector3& v : cut.mesh.vertices)
+      v.z() = height(v.x(), v.y()) + random.uniform(-off, off);
+    cut.vertex_faults.assign(cut.mesh.vertices.size(), {-1, -1});
+    return cut;
+  }
+  RefineOptions options() const {
+    RefineOptions o;
+    o.models = chooseModels(fit(), 3.0, 0);
+    o.zone_width = 3.0;
+    o.max_step = 1.0;
+    return o;
+  }
+};
+
+double gentle(double x, double y) {
+  return 0.5 * std::sin(0.1 * x) * std::cos(0.08 * y);
+}
+double detailed(double x, double y) {
+  return 0.5 * std::sin(0.9 * x) * std::cos(0.8 * y);
+}
+
+TEST(LocalFit, QuadricsAreExactOnQuadricsAndPlanesOnPlanes) {
+  const auto bowl = [](double x, double y) { return 0.02 * x * x - 0.01 * x * y + 0.3 * y; };
+  const Field field(bowl, 0.0);
+  LocalFit::Scratch scratch;
+  const Vector3 at(1.3, 2.2, bowl(1.3, 2.2) + 0.1);
+  const Vector3 up = Vector3::UnitZ();
+  const LocalEstimate exact = field.fit().at(at, at, up, {2, 40}, scratch);
+  ASSERT_TRUE(exact.valid);
+  EXPECT_NEAR(exact.offset, -0.1, 1e-4);
+  EXPECT_LT(
+      (exact.normal - Vector3(-(0.04 * 1.3 - 0.01 * 2.2), -(0.3 - 0.01 * 1.3), 1.0).normalized())
+          .norm(),
+      1e-3);
+  EXPECT_GT(exact.leverage, 0.0);
+  EXPECT_LT(exact.leverage, 1.0);
+  const LocalEstimate flat = field.fit().at(at, at, up, {1, 40}, scratch);
+  EXPECT_GT(std::abs(flat.offset + 0.1), 3e-4) << "a plane cannot follow the bowl";
+  EXPECT_FALSE(field.fit().at({500, 0, 0}, {500, 0, 0}, up, {1, 40}, scratch).valid)
+      << "no pick in reach";
+}
+
+TEST(LocalFit, UsesOnlyPicksOfItsOwnSide) {
+  const auto step = [](double x, double) { return x < 0.0 ? 1.0 : -1.0; };
+  const Field field(step, 0.0, {test::dippingFault(-40.0, 40.0, 15.0, 90.0)});
+  LocalFit::Scratch scratch;
+  for (const double side : {-1.0, 1.0}) {
+    const Vector3 at(0.02 * side, 3.0, -side + 0.2);
+    const LocalEstimate e = field.fit().at(at, at, Vector3::UnitZ(), {1, 30}, scratch);
+    ASSERT_TRUE(e.valid);
+    EXPECT_NEAR(e.offset, -0.2, 1e-6);
+  }
+}
+
+TEST(Refine, NoiseIsAveragedNotCopied) {
+  const Field field(gentle, 0.1);
+  const RefineOptions options = field.options();
+  EXPECT_GE(options.models.away.neighbors, 40U) << "with noise many picks win";
+  EXPECT_NEAR(options.models.error_away, 0.1, 0.015) << "the error of prediction is then the noise";
+  CutMesh cut = field.start(0.3);
+  refine(cut, field.fit(), options);
+  EXPECT_LT(field.rms(cut.mesh), 0.4 * 0.1);
+}
+
+TEST(Refine, WithoutNoiseDetailIsKept) {
+  const Field field(detailed, 0.0);
+  const RefineOptions options = field.options();
+  EXPECT_EQ(options.models.away.degree, 2);
+  EXPECT_LE(options.models.away.neighbors, 25U) << "without noise few picks win";
+  CutMesh cut = field.start(0.1);
+  refine(cut, field.fit(), options);
+  EXPECT_LT(field.rms(cut.mesh), 0.01) << "a fiftieth of the waves' height";
+}
+
+TEST(Refine, ThreadsMakeNoDifference) {
+  const Field field(gentle, 0.2, {test::dippingFault(-40.0, 4.0, 15.0)});
+  RefineOptions options = field.options();
+  CutMesh one = field.start(0.3), four = one;
+  options.threads = 1;
+  refine(one, field.fit(), options);
+  options.threads = 4;
+  refine(four, field.fit(), options);
+  EXPECT_TRUE(test::sameMesh(one.mesh, four.mesh));
+}
+
+} // namespace
+} // namespace graben
