@@ -15,7 +15,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"mesh", {"core"}},
     {"faults", {"core", "mesh"}},
     {"features", {"core", "mesh", "faults"}},
-    {"filters", {"core", "mesh", "faults"}},
+    {"filters", {"core", "mesh", "faults", "features"}},
     {"surface", {"core", "mesh", "faults", "features", "filters"}},
     {"analysis", {"core", "mesh", "faults", "features", "filters", "surface"}},
     {"model", {"core", "mesh", "faults", "features", "filters", "surface"}},

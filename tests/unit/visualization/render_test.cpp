@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <limits>
 
+#include <unistd.h>
+
 namespace graben {
 namespace {
 
@@ -43,7 +45,7 @@ protected:
   static void TearDownTestSuite() { screen_.reset(); }
   void SetUp() override {
     ASSERT_TRUE(screen_->available()) << screen_->reason();
-    folder_ = std::filesystem::temp_directory_path() / ("graben_render_" + std::to_string(std::rand()));
+    folder_ = std::filesystem::temp_directory_path() / ("graben_render_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder_);
     options_.width = 400;
     options_.height = 300;

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <limits>
 
+#include <unistd.h>
+
 namespace graben {
 namespace {
 
@@ -86,7 +88,7 @@ TEST(RenderSection, DrawsTheSurfaceWhereItIs) {
   const Offscreen screen;
   ASSERT_TRUE(screen.available()) << screen.reason();
   const TriangleMesh mesh = ramp(10); // one piece: blue
-  const std::string png = (std::filesystem::temp_directory_path() / "graben_section_test.png").string();
+  const std::string png = (std::filesystem::temp_directory_path() / ("graben_section_" + std::to_string(getpid()) + ".png")).string();
   SectionScene scene;
   scene.mesh = &mesh;
   SectionOptions options;

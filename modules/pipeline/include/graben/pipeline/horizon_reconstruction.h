@@ -58,8 +58,9 @@ struct ReconstructionResult {
 
 /// The main job: picks and faults in, the faulted horizon out.
 ///
-/// Stages in order: frame, neighbours, faults, normals, orientation, marching cubes, cut, fit, evaluation. Deterministic: the same bytes for any number of
-/// threads. Not changed by reconstruct(); one object may serve several threads. Cost grows with the picks and, for the fault stages, with the picks near faults.
+/// Stages in order: frame, neighbours, faults, normals, orientation, marching cubes, cut, fit, evaluation.
+/// Deterministic: the same bytes for any number of threads. Not changed by reconstruct(); one object may
+/// serve several threads. Cost grows with the picks and, for the fault stages, with the picks near faults.
 class HorizonReconstruction {
 public:
   explicit HorizonReconstruction(ReconstructionOptions options = {});

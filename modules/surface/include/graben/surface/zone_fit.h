@@ -27,15 +27,18 @@ struct ZoneFitResult {
   std::size_t without_picks = 0; ///< vertices in the zone with fewer than three picks of their own side in reach: left where they are
 };
 
-/// The paper's section 5: moves each mesh vertex near a fault to where the quadrics of its neighbour picks, on its own side of the faults, have the least error.
+/// The paper's section 5: moves each mesh vertex near a fault to where the quadrics of its neighbour picks,
+/// on its own side of the faults, have the least error.
 ///
-/// A vertex on a fault stays on it: the fault's plane is part of its quadric, and the result is put back on the fault surface. Where Q_sum is singular the undetermined
-/// directions stay (the paper takes the best of the k picks instead, which would tear the mesh). Vertices are moved together after each pass, so the result
-/// does not depend on their order or the number of threads. O(vertices in the zone x neighbors).
+/// A vertex on a fault stays on it: the fault's plane is part of its quadric, and the result is put back on
+/// the fault surface. Where Q_sum is singular the undetermined directions stay (the paper takes the best of
+/// the k picks instead, which would tear the mesh). Vertices are moved together after each pass, so the
+/// result does not depend on their order or the number of threads. O(vertices in the zone x neighbors).
 ZoneFitResult fitZone(CutMesh& cut, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
                       const ZoneFitOptions& options);
 
-/// A place just inside the mesh beside each vertex: where a vertex on a fault asks from which side it sees the picks. Vertices off the faults ask from where they are.
+/// A place just inside the mesh beside each vertex: where a vertex on a fault asks from which side it sees
+/// the picks. Vertices off the faults ask from where they are.
 Points viewpoints(const CutMesh& cut);
 
 } // namespace graben
