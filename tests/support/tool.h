@@ -34,10 +34,13 @@ protected:
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   /// Runs "graben_<tool> <arguments>" through the shell, in the test's folder.
-  Outcome run(const std::string& tool, const std::string& arguments) const {
+  /// \param[in] environment assignments for the command alone, such as "DISPLAY="
+  Outcome run(const std::string& tool, const std::string& arguments,
+              const std::string& environment = "") const {
     const std::string errors = "standard_error.txt";
-    const std::string command = "cd '" + folder_.string() + "' && '" GRABEN_BIN_DIR "/graben_" +
-                                tool + "' " + arguments + " 2> " + errors;
+    const std::string command = "cd '" + folder_.string() + "' && " + environment +
+                                " '" GRABEN_BIN_DIR "/graben_" + tool + "' " + arguments + " 2> " +
+                                errors;
     Outcome outcome;
     FILE* pipe = popen(command.c_str(), "r");
     std::array<char, 4096> buffer{};

@@ -30,14 +30,23 @@ std::string fileName(std::string name) {
   return name.empty() ? "fault" : name;
 }
 
+std::string pieceFile(std::size_t number) { return "piece_" + std::to_string(number) + ".ts"; }
+
+/// Pieces a former run left that this one will not replace.
+void removeFormerPieces(const fs::path& dir, std::size_t pieces) {
+  if (!fs::exists(dir / "report.json"))
+    return;
+  std::error_code error;
+  for (std::size_t i = pieces + 1; fs::remove(dir / pieceFile(i), error); ++i) {
+  }
+}
+
 void writePieces(const fs::path& dir, const ReconstructionResult& result) {
-  Components components;
-  components.of_vertex = result.mesh.piece;
-  components = connectedComponents(result.mesh);
-  const std::vector<TriangleMesh> pieces = splitComponents(result.mesh, components);
+  const std::vector<TriangleMesh> pieces = splitComponents(result.mesh, connectedComponents(result.mesh));
+  removeFormerPieces(dir, pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::string name = "piece_" + std::to_string(i + 1);
-    writeMesh((dir / (name + ".ts")).string(), pieces[i], meshOptions(result, name));
+    const fs::path file = dir / pieceFile(i + 1);
+    writeMesh(file.string(), pieces[i], meshOptions(result, file.stem().string()));
   }
 }
 

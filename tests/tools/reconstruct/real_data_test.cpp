@@ -44,6 +44,7 @@ protected:
 
 TEST_F(ReconstructRealData, TopVolantisWithSixFaults) {
   GRABEN_REQUIRE_DATA(picks, "drogon/time/TopVolantis.poi");
+  // F6 leaves F2 and comes back to it; the other faults part nothing.
   expectFaultedHorizon(picks, sixFaults(std::filesystem::path(picks).parent_path()), 2);
 }
 

@@ -21,6 +21,11 @@ protected:
   void synthesize(const std::string& folder, const std::string& options) const {
     ASSERT_EQ(run("synthesize", "--quiet --output " + folder + " " + options).code, 0);
   }
+
+  /// Runs the tool where no display can be had, which saves the time for pictures.
+  test::Outcome reconstruct(const std::string& arguments) const {
+    return run("reconstruct", arguments, "DISPLAY= PATH=/nowhere");
+  }
 };
 
 TEST_F(ReconstructResults, FolderHoldsAllThatGoesWithTheSurface) {
@@ -57,9 +62,20 @@ TEST_F(ReconstructResults, FolderHoldsAllThatGoesWithTheSurface) {
   EXPECT_FALSE(readMesh(path("out/results/fault_2_fault_2.ts")).empty());
 }
 
+TEST_F(ReconstructResults, WithoutADisplaySaysSoAndWritesTheRest) {
+  synthesize("s", "--kind normal --picks 1000");
+  const test::Outcome outcome =
+      reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --results r");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.errors, HasSubstr("note: No pictures: "));
+  EXPECT_EQ(names("r"),
+            (std::set<std::string>{"fault_1_fault_1.ts", "picks.pcd", "piece_1.ts", "piece_2.ts",
+                                   "report.json", "surface.ply", "surface.vtk"}));
+}
+
 TEST_F(ReconstructResults, PicksOpenInPclWithNormalsAndPiece) {
   synthesize("s", "--kind normal --picks 2000 --origin 461000,5931000,1700");
-  ASSERT_EQ(run("reconstruct", "--horizon s/horizon.xyz --fault s/fault_1.ts --results r").code, 0);
+  ASSERT_EQ(reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --results r").code, 0);
   pcl::PCLPointCloud2 cloud;
   ASSERT_EQ(pcl::io::loadPCDFile(path("r/picks.pcd"), cloud), 0);
   EXPECT_EQ(cloud.width * cloud.height, 2000U);
@@ -71,12 +87,26 @@ TEST_F(ReconstructResults, PicksOpenInPclWithNormalsAndPiece) {
   EXPECT_GE(fields.size(), 7U); // and the piece
 }
 
+TEST_F(ReconstructResults, ASecondRunLeavesNoPiecesOfTheFirst) {
+  synthesize("s", "--kind branch --picks 1500");
+  write("mine.txt", "mine");
+  std::filesystem::create_directory(path("r"));
+  std::filesystem::copy(path("mine.txt"), path("r/mine.txt"));
+  ASSERT_EQ(
+      reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts s/fault_2.ts --results r").code, 0);
+  EXPECT_EQ(names("r").count("piece_3.ts"), 1U);
+  ASSERT_EQ(reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --results r").code, 0);
+  EXPECT_EQ(names("r").count("piece_2.ts"), 1U);
+  EXPECT_EQ(names("r").count("piece_3.ts"), 0U);
+  EXPECT_EQ(content("r/mine.txt"), "mine");
+}
+
 TEST_F(ReconstructResults, ReportIsJsonWithTheSameFiguresAsTheFolder) {
   synthesize("s", "--kind tip --picks 2000");
-  ASSERT_EQ(run("reconstruct",
-                "--horizon s/horizon.xyz --fault s/fault_1.ts --results r --report other.json")
-                .code,
-            0);
+  ASSERT_EQ(
+      reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --results r --report other.json")
+          .code,
+      0);
   const auto report = nlohmann::json::parse(content("r/report.json"));
   EXPECT_EQ(report, nlohmann::json::parse(content("other.json")));
   EXPECT_EQ(report["picks"]["count"], 2000);
@@ -87,11 +117,11 @@ TEST_F(ReconstructResults, ReportIsJsonWithTheSameFiguresAsTheFolder) {
 }
 
 TEST_F(ReconstructResults, OneAndFourThreadsGiveTheSameBytes) {
-  synthesize("s", "--kind branch --picks 20000 --origin 461000,5931000,1700");
+  synthesize("s", "--kind branch --picks 10000 --origin 461000,5931000,1700");
   const std::string arguments =
       "--horizon s/horizon.xyz --fault s/fault_1.ts s/fault_2.ts --quiet ";
-  ASSERT_EQ(run("reconstruct", arguments + "--threads 1 --output one.ply --results one").code, 0);
-  ASSERT_EQ(run("reconstruct", arguments + "--threads 4 --output four.ply --results four").code, 0);
+  ASSERT_EQ(reconstruct(arguments + "--threads 1 --output one.ply --results one").code, 0);
+  ASSERT_EQ(reconstruct(arguments + "--threads 4 --output four.ply --results four").code, 0);
   EXPECT_TRUE(content("one.ply") == content("four.ply"));
   EXPECT_EQ(names("one"), names("four"));
   for (const std::string& name : names("one"))
@@ -111,9 +141,8 @@ TEST_F(ReconstructResults, CoordinatesComeBackInUtmToTheMillimetre) {
   synthesize("near", "--kind reverse --picks 3000 --origin 37,53,11");
   synthesize("utm", "--kind reverse --picks 3000 --origin 461077,5931053,1691");
   for (const std::string folder : {"near", "utm"})
-    ASSERT_EQ(run("reconstruct", "--horizon " + folder + "/horizon.xyz --fault " + folder +
-                                     "/fault_1.ts --voxel-size 120 --output " + folder +
-                                     ".ply --quiet")
+    ASSERT_EQ(reconstruct("--horizon " + folder + "/horizon.xyz --fault " + folder +
+                          "/fault_1.ts --voxel-size 120 --output " + folder + ".ply --quiet")
                   .code,
               0);
   const TriangleMesh near = readMesh(path("near.ply"));
