@@ -26,6 +26,14 @@ TEST(CutoffDistance, GoesToTheBorderNotToTheSurface) {
               1e-6);
 }
 
+TEST(CutoffDistance, SamplesSitInTheMiddleOfTheirSteps) {
+  const CutoffDistances d =
+      cutoffDistances(test::gridMesh(10), {{{10, 5, 0}, {20, 5, 0}}}, {10, 0});
+  EXPECT_NEAR(d.all.mean, 5.0, 1e-12);
+  EXPECT_NEAR(d.all.p50, 4.5, 1e-12);
+  EXPECT_NEAR(d.all.max, 9.5, 1e-12);
+}
+
 TEST(CutoffDistance, IsWeightedByLengthHoweverManyPointsALineHas) {
   // 9 units at distance 1 in one segment, 1 unit at distance 2 in a hundred
   std::vector<Points> lines = {{{11, 0, 0}, {11, 9, 0}}, {}, {{0, 12, 0}}};

@@ -77,6 +77,9 @@ TEST(TrianglesAgainst, FindsThePieceThatFacesTheOtherWay) {
   EXPECT_EQ(trianglesAgainst(mesh, truth), against);
   flipOrientation(truth);
   EXPECT_EQ(trianglesAgainst(mesh, truth, 4), against);
+  TriangleMesh mixed = test::gridMesh(4); // nor how its parts are
+  append(mixed, small);
+  EXPECT_EQ(trianglesAgainst(mesh, mixed), against);
 }
 
 TEST(TrianglesAgainst, RefusesAnEmptyTruth) {
