@@ -25,10 +25,18 @@ struct PickField {
   const NeighborGrid& grid;
   const FaultNetwork& faults;
   double mean_distance;
-  double scale;                          ///< least deviation to reckon with in robust fits
-  std::vector<double> distances;         ///< to the nearest fault; infinite beyond the band
+  double scale;                    ///< least deviation to reckon with in robust fits
+  std::vector<double> distances;   ///< to the nearest fault; infinite beyond the band
   std::vector<PickState> states;
-  std::vector<Index> wrong_about;        ///< the fault a flagged pick is flagged for, else -1
+  std::vector<std::uint64_t> home; ///< fault signature from a wrong-side pick to its own sheet; else 0
+  std::vector<Index> examples; ///< a trusted pick of that sheet; else the pick itself
+};
+
+/// A surface on the other side of one or more faults, continued to a viewpoint.
+struct SheetBeyond {
+  std::uint64_t signature; ///< of the faults in between
+  Index example;           ///< a trusted pick of it
+  PlaneAt plane;
 };
 
 /// Collects the picks that planes are fitted to. One per thread.
@@ -41,13 +49,14 @@ public:
   PlaneAt ownPlane(const Vector3& viewpoint);
   /// The nearest suspects on that side.
   PlaneAt suspectPlane(const Vector3& viewpoint);
-  /// Trusted picks with pending picks too, those far from faults weighing most.
+  /// Trusted picks with pending ones too, those far from faults weighing most.
   PlaneAt consensusPlane(const Vector3& viewpoint);
-  /// The surface of the other side of one fault, continued to \a viewpoint.
-  PlaneAt planeBeyond(std::size_t fault, const Vector3& viewpoint);
-
   /// The surface beside \a query, from the nearest picks at least \a gap farther in a direction.
   PlaneAt planeBeside(const Vector3& query, const Vector3& direction, double gap, double radius);
+
+  /// All sheets that faults hide from \a viewpoint, nearest first, from trusted picks and those
+  /// already found to belong to them.
+  std::vector<SheetBeyond> sheetsBeyond(const Vector3& viewpoint);
 
 private:
   template <typename Select>
@@ -57,10 +66,5 @@ private:
   std::vector<Neighbor> candidates_;
   std::vector<WeightedPoint> chosen_;
 };
-
-/// The one fault between two points (crossed an odd number of times); NO_FAULT if there is none,
-/// SEVERAL_FAULTS if there are more.
-constexpr int NO_FAULT = -1, SEVERAL_FAULTS = -2;
-int faultBetween(const FaultNetwork& faults, const Vector3& a, const Vector3& b);
 
 } // namespace graben::detail

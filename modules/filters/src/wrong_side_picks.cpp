@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace graben {
 namespace {
@@ -16,15 +17,21 @@ using detail::PickField;
 using detail::PickState;
 using detail::PickSupport;
 using detail::PlaneAt;
+using detail::SheetBeyond;
 
 constexpr std::size_t GRAIN = 32;
-constexpr double BAND = 4.0, BIN = 0.5, TOLERANCE = 0.15; // mean distances
+constexpr double BAND = 4.0, BIN = 0.5, TOLERANCE = 0.1; // mean distances
 constexpr double DEVIATIONS = 4.0;   ///< of noise that a good pick may be off
 constexpr double SLOPE_CHANGE = 0.075; ///< of the surface between a pick and its neighbours
 constexpr double MOST_LEVERAGE = 4.0;
 constexpr double LEAST_COSINE = 0.3; ///< of the angle between two sheets that can be compared
-constexpr double ON_FAULT = 1e-3;    ///< mean distances under which a pick's side is open
-constexpr double SMEARED_FROM = 0.25; ///< share of the way to the other sheet
+constexpr double LEAST_THROW = 1.5; ///< tolerances
+constexpr double ON_FAULT = 1e-6;    ///< mean distances under which a pick's side is open
+/// Distance to the other sheet over that to its own that makes a pick the other's, whatever the
+/// tolerance, and within it.
+constexpr double CLEARLY_NEARER = 0.25, NEARER = 0.5;
+/// Share of the way to the other sheet, and tolerances from its own, of a smeared pick.
+constexpr double SMEARED_FROM = 0.25, SMEARED_BY = 1.5;
 
 double median(std::vector<double>& values) {
   if (values.empty())
@@ -101,12 +108,15 @@ public:
       : grid_(grid)
       , faults_(faults)
       , options_(options)
-      , field_{grid, faults, 0.0, 0.0, {}, {}, {}} {}
+      , field_{grid, faults, 0.0, 0.0, {}, {}, {}, {}} {}
 
   WrongSideResult run() {
     const std::size_t count = grid_.points().size();
     field_.states.assign(count, PickState::Trusted);
-    field_.wrong_about.assign(count, -1);
+    field_.home.assign(count, 0);
+    field_.examples.resize(count);
+    std::iota(field_.examples.begin(), field_.examples.end(), 0);
+    wrong_about_.assign(count, -1);
     field_.distances.assign(count, std::numeric_limits<double>::infinity());
     if (grid_.size() > 0 && !faults_.empty())
       search();
@@ -204,8 +214,10 @@ private:
   }
 
   struct Verdict {
-    PickState state;
-    Index fault;
+    PickState state = PickState::Doubtful;
+    Index fault = -1;
+    std::uint64_t home = 0; ///< signature towards the sheet it belongs to or is smeared to
+    Index example = -1;     ///< a trusted pick of that sheet
   };
 
   /// From near to far, so that what was found to belong to the other sheet continues it.
@@ -225,7 +237,11 @@ private:
     for (std::size_t i = 0; i < suspects.size(); ++i) {
       const auto pick = static_cast<std::size_t>(suspects[i]);
       field_.states[pick] = found[i].state;
-      field_.wrong_about[pick] = found[i].fault;
+      if (found[i].state == PickState::WrongSide) {
+        field_.home[pick] = found[i].home;
+        field_.examples[pick] = found[i].example;
+      }
+      wrong_about_[pick] = found[i].fault;
     }
   }
 
@@ -233,17 +249,35 @@ private:
     const Vector3 viewpoint = viewpoints(pick).front();
     const PlaneAt own = support.ownPlane(viewpoint);
     if (isSure(own) && agrees(own))
-      return {PickState::Trusted, -1};
-    Verdict best = {PickState::Doubtful, -1};
-    for (std::size_t f = 0; f < faults_.size() && best.state != PickState::WrongSide; ++f) {
-      const FaultPoint near = faults_.nearest(f, viewpoint, options_.band);
-      if (near.fault < 0 || near.at_border)
-        continue;
-      const PickState state = stateBeyond(own, support.planeBeyond(f, viewpoint));
+      return {PickState::Trusted, -1, 0, -1};
+    Verdict best;
+    for (const SheetBeyond& sheet : support.sheetsBeyond(viewpoint)) {
+      const Index fault = faultBefore(sheet, viewpoint);
+      const PickState state =
+          fault < 0 ? PickState::Doubtful : stateBeyond(own, sheet.plane);
       if (state != PickState::Doubtful)
-        best = {state, static_cast<Index>(f)};
+        best = {state, fault, sheet.signature, sheet.example};
+      if (state == PickState::WrongSide)
+        break;
     }
     return best;
+  }
+
+  /// The nearest of the faults between a suspect and a sheet; -1 if the suspect lies beside it or
+  /// one of them is far.
+  Index faultBefore(const SheetBeyond& sheet, const Vector3& viewpoint) const {
+    const Vector3& beyond = grid_.points()[static_cast<std::size_t>(sheet.example)];
+    FaultPoint best;
+    for (std::size_t f = 0; f < faults_.size(); ++f) {
+      if (faults_.crossings(f, viewpoint, beyond).size() % 2 == 0)
+        continue;
+      const FaultPoint near = faults_.nearest(f, viewpoint, options_.band);
+      if (near.fault < 0)
+        return -1;
+      if (best.fault < 0 || near.distance < best.distance)
+        best = near;
+    }
+    return best.at_border ? -1 : best.fault;
   }
 
   /// A suspect's state, given the surface of the other side of a fault.
@@ -257,12 +291,15 @@ private:
       return PickState::Doubtful;
     const double to_own = -own.offset, to_other = -other.offset / along;
     const double between_sheets = std::abs(to_other - to_own);
-    if (between_sheets < 2.0 * options_.tolerance)
+    if (between_sheets < LEAST_THROW * options_.tolerance)
       return PickState::Doubtful;
-    if (agrees(other) && 2.0 * std::abs(to_other) < std::abs(to_own))
+    const double nearness = std::abs(to_other) / std::abs(to_own);
+    if (nearness < CLEARLY_NEARER || (agrees(other) && nearness < NEARER))
       return PickState::WrongSide;
     const double share = to_own / (to_own - to_other);
-    return share > SMEARED_FROM && share < 1.0 ? PickState::Smeared : PickState::Doubtful;
+    const bool between = share > SMEARED_FROM && share < 1.0;
+    return between && std::abs(to_own) > SMEARED_BY * tolerance(own) ? PickState::Smeared
+                                                                     : PickState::Doubtful;
   }
 
   WrongSideResult result() {
@@ -277,9 +314,9 @@ private:
       else
         continue;
       ++(result.reasons[i] == PickReason::WrongSide ? result.wrong_side : result.smeared);
-      ++result.flagged_by_fault[static_cast<std::size_t>(field_.wrong_about[i])];
+      ++result.flagged_by_fault[static_cast<std::size_t>(wrong_about_[i])];
     }
-    result.faults = std::move(field_.wrong_about);
+    result.faults = std::move(wrong_about_);
     result.judged = judged_;
     result.used = options_;
     return result;
@@ -289,6 +326,7 @@ private:
   const FaultNetwork& faults_;
   WrongSideOptions options_;
   PickField field_;
+  std::vector<Index> wrong_about_; ///< the fault a flagged pick is flagged for, else -1
   std::vector<std::vector<Index>> bins_; ///< nearest first
   std::size_t judged_ = 0;
 };

@@ -25,8 +25,8 @@ struct WrongSideOptions {
   /// side of it (noise and curvature); 0: measured on trusted picks
   double sigma = 0.0;
   /// A pick within this (or 4 sigma, or what a slope that changes by 0.075 over the distance to its
-  /// neighbours makes, whichever is most) of its own sheet is good; 0: 0.15 mean distances. No pick
-  /// is flagged where the sheets are closer than twice that.
+  /// neighbours makes, whichever is most) of its own sheet is good; 0: 0.1 mean distances. No pick
+  /// is flagged where the sheets are closer than 1.5 times that.
   double tolerance = 0.0;
   unsigned threads = 0; ///< 0: one per processor
 };
