@@ -4,6 +4,7 @@
 #include "graben/features/sampling.h"
 #include "graben/mesh/bounds.h"
 #include "graben/mesh/normals.h"
+#include "graben/surface/crumbs.h"
 #include "graben/surface/fault_cut.h"
 #include "graben/surface/sheet_extraction.h"
 #include "graben/surface/voxel_size.h"
@@ -151,6 +152,7 @@ HoppeSurface hoppeSurface(const Points& points, const Points& normals, const Fau
   cutting.tolerance = 0.02 * h;
   cutting.threads = options.threads;
   result.cut = cutSheets(sheets, faults, cutting);
+  removeCrumbs(result.cut, options.smallest_piece);
   if (options.box_extension < 0.0)
     dropOutside(result.cut, box);
   check(!result.cut.mesh.empty(),

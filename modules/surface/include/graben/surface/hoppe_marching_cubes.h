@@ -100,6 +100,10 @@ public:
   /// slivers away; default 0: every vertex stays on its own edge.
   void setSnap(double fraction) { options_.snap = fraction; }
 
+  /// Connected components with fewer triangles are left out (noise and faults make such crumbs),
+  /// unless that leaves none; default 20, 0 keeps all.
+  void setSmallestPiece(std::size_t triangles) { options_.smallest_piece = triangles; }
+
   /// 0: one per processor.
   void setNumberOfThreads(unsigned nr_threads = 0) { options_.threads = nr_threads; }
 

@@ -25,9 +25,11 @@ struct HoppeSurfaceOptions {
   double flip_angle = 60.0; ///< degrees, 0 to 180; 180: off
   double fault_reach = 0.0; ///< farthest the surface is carried on to a fault; 0: 6 distances
   ///< between points, but at least 2 (rho + delta)
-  std::size_t blend = 4;        ///< planes a value is averaged over; 1: Hoppe's nearest plane alone
-  double snap = 0.0;            ///< see ExtractionOptions::snap, 0 to 0.4
-  unsigned threads = 0;         ///< 0: one per processor
+  std::size_t blend = 4; ///< planes a value is averaged over; 1: Hoppe's nearest plane alone
+  double snap = 0.0;     ///< see ExtractionOptions::snap, 0 to 0.4
+  std::size_t smallest_piece =
+      20;               ///< components with fewer triangles are left out, unless that leaves none
+  unsigned threads = 0; ///< 0: one per processor
   std::size_t memory_limit = 0; ///< bytes the extraction may take; 0: three quarters of the memory
 };
 
