@@ -17,7 +17,8 @@ constexpr double kFoldAngle = 120.0;
 /// (weighted by area) of all triangles at the edge's two ends. So a single flipped triangle counts
 /// as one, not with its three neighbours. Triangles without an area take no part. Edges whose two
 /// triangles are wound against each other are TopologyReport::inconsistent_edges, not folds.
-/// O(n log n), deterministic. \throw InvalidInputError if the mesh is not valid
+/// O(n log n), deterministic.
+/// \throw InvalidInputError if the mesh is not valid
 std::vector<Index> foldedTriangles(const TriangleMesh& mesh);
 
 /// The triangles that face away from the true surface, in rising order: their normal and that of
@@ -25,9 +26,10 @@ std::vector<Index> foldedTriangles(const TriangleMesh& mesh);
 ///
 /// Which way a whole file is wound says nothing: each component of the truth is turned so that its
 /// mean normal is up, and where most of the mesh faces away, the rest is what is returned. So a
-/// mesh with one piece up and one down is found out. \param[in] truth a horizon in the mesh's frame
-/// (z up) \param[in] threads 0: one per processor O(n log n), deterministic. \throw
-/// InvalidInputError if a mesh is not valid or the truth has no triangles
+/// mesh with one piece up and one down is found out. O(n log n), deterministic.
+/// \param[in] truth   a horizon in the mesh's frame (z up)
+/// \param[in] threads 0: one per processor
+/// \throw InvalidInputError if a mesh is not valid or the truth has no triangles
 std::vector<Index> trianglesAgainst(const TriangleMesh& mesh, const TriangleMesh& truth,
                                     unsigned threads = 0);
 
