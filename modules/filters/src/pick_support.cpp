@@ -92,7 +92,8 @@ PlaneAt PickSupport::consensusPlane(const Vector3& viewpoint) {
 PlaneAt PickSupport::planeBeside(const Vector3& query, const Vector3& direction, double gap,
                                  double radius) {
   return plane(query, radius, [&](std::size_t i) {
-    return (field_.grid.points()[i] - query).dot(direction) >= gap ? 1.0 : 0.0;
+    const Vector3& p = field_.grid.points()[i];
+    return (p - query).dot(direction) >= gap && sameSide(field_.faults, query, p) ? 1.0 : 0.0;
   });
 }
 

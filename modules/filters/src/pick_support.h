@@ -51,7 +51,8 @@ public:
   PlaneAt suspectPlane(const Vector3& viewpoint);
   /// Trusted picks with pending ones too, those far from faults weighing most.
   PlaneAt consensusPlane(const Vector3& viewpoint);
-  /// The surface beside \a query, from the nearest picks at least \a gap farther in a direction.
+  /// The surface beside \a query, from the nearest picks on its side at least \a gap farther in a
+  /// direction.
   PlaneAt planeBeside(const Vector3& query, const Vector3& direction, double gap, double radius);
 
   /// All sheets that faults hide from \a viewpoint, nearest first, from trusted picks and those

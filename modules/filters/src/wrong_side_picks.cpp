@@ -5,6 +5,7 @@
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 #include "graben/filters/fault_distance.h"
+#include "graben/filters/mean_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,47 +20,19 @@ using detail::PickSupport;
 using detail::PlaneAt;
 using detail::SheetBeyond;
 
-constexpr std::size_t GRAIN = 32;
+constexpr std::size_t GRAIN = 64;
 constexpr double BAND = 4.0, BIN = 0.5, TOLERANCE = 0.1; // mean distances
-constexpr double DEVIATIONS = 4.0;   ///< of noise that a good pick may be off
+constexpr double DEVIATIONS = 4.0;     ///< of noise that a good pick may be off
 constexpr double SLOPE_CHANGE = 0.075; ///< of the surface between a pick and its neighbours
-constexpr double MOST_LEVERAGE = 4.0;
-constexpr double LEAST_COSINE = 0.3; ///< of the angle between two sheets that can be compared
-constexpr double LEAST_THROW = 1.5; ///< tolerances
-constexpr double ON_FAULT = 1e-6;    ///< mean distances under which a pick's side is open
+constexpr double MOST_LEVERAGE = 4.0;  ///< of a plane that can be relied on
+constexpr double LEAST_COSINE = 0.3;   ///< of the angle between two sheets that can be compared
+constexpr double LEAST_THROW = 1.5;    ///< tolerances between two sheets that can be told apart
+constexpr double ON_FAULT = 1e-6;      ///< mean distances under which a pick's side is open
 /// Distance to the other sheet over that to its own that makes a pick the other's, whatever the
 /// tolerance, and within it.
 constexpr double CLEARLY_NEARER = 0.25, NEARER = 0.5;
 /// Share of the way to the other sheet, and tolerances from its own, of a smeared pick.
 constexpr double SMEARED_FROM = 0.25, SMEARED_BY = 1.5;
-
-double median(std::vector<double>& values) {
-  if (values.empty())
-    return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-/// Square root of the area per pick, from the disc that the nearest 8 cover; coinciding ones do not
-/// count.
-double meanDistance(const NeighborGrid& grid, unsigned threads) {
-  constexpr std::size_t NEAREST = 8, SAMPLES = 8000;
-  const std::size_t count = std::min(SAMPLES, grid.size());
-  std::vector<double> found(count, 0.0);
-  parallelBlocks(count, 256, threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<Neighbor> near;
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto pick = static_cast<std::size_t>(grid.order()[i * grid.size() / count]);
-      grid.nearest(grid.points()[pick], NEAREST + 1, near);
-      if (near.size() > 1)
-        found[i] = std::sqrt(M_PI * near.back().squared_distance /
-                             static_cast<double>(near.size() - 1));
-    }
-  });
-  found.erase(std::remove(found.begin(), found.end(), 0.0), found.end());
-  return median(found);
-}
 
 void validate(const WrongSideOptions& options) {
   for (const double length :
@@ -70,11 +43,12 @@ void validate(const WrongSideOptions& options) {
                               "or 0 to have them estimated.");
 }
 
-/// Standard deviation of trusted picks about planes that lie beside them as the planes do that
-/// picks near a fault are judged by.
-double onesidedDeviation(const PickField& field, double band, unsigned threads) {
+/// Distances of sampled picks, in deviations from planes that lie beside them as the planes do that
+/// picks near a fault are judged by; sorted.
+std::vector<double> onesidedErrors(const PickField& field, bool trusted_only, double band,
+                                   unsigned threads) {
   constexpr std::size_t SAMPLES = 2000;
-  constexpr double GOLDEN_ANGLE = 2.399963229728653, NORMAL_90_PERCENT = 1.6449;
+  constexpr double GOLDEN_ANGLE = 2.399963229728653;
   const std::vector<Index>& order = field.grid.order();
   const std::size_t step = std::max<std::size_t>(1, order.size() / SAMPLES);
   const std::size_t count = (order.size() + step - 1) / step;
@@ -83,7 +57,7 @@ double onesidedDeviation(const PickField& field, double band, unsigned threads) 
     PickSupport support(field);
     for (std::size_t i = begin; i < end; ++i) {
       const auto pick = static_cast<std::size_t>(order[i * step]);
-      if (field.states[pick] != PickState::Trusted)
+      if (trusted_only && field.states[pick] != PickState::Trusted)
         continue;
       const double angle = GOLDEN_ANGLE * static_cast<double>(i);
       const Vector3 direction(std::cos(angle), std::sin(angle), 0.0);
@@ -94,11 +68,22 @@ double onesidedDeviation(const PickField& field, double band, unsigned threads) 
     }
   });
   found.erase(std::remove(found.begin(), found.end(), -1.0), found.end());
-  if (found.empty())
-    return 0.0;
   std::sort(found.begin(), found.end());
-  return std::max(1.4826 * found[found.size() / 2],
-                  found[found.size() * 9 / 10] / NORMAL_90_PERCENT);
+  return found;
+}
+
+/// Standard deviation of a pick about its neighbours on one side: from trusted picks, or where
+/// hardly any are, from all.
+double onesidedDeviation(const PickField& field, double band, unsigned threads) {
+  constexpr std::size_t ENOUGH = 50;
+  constexpr double NORMAL_50_PERCENT = 0.6745, NORMAL_90_PERCENT = 1.6449;
+  std::vector<double> errors = onesidedErrors(field, true, band, threads);
+  if (errors.size() < ENOUGH)
+    errors = onesidedErrors(field, false, std::max(band, BAND * field.mean_distance), threads);
+  if (errors.empty())
+    return 0.0;
+  return std::max(errors[errors.size() / 2] / NORMAL_50_PERCENT,
+                  errors[errors.size() * 9 / 10] / NORMAL_90_PERCENT);
 }
 
 /// One search: the state of every pick, from far to near and back.
@@ -126,8 +111,8 @@ public:
 private:
   void search() {
     if (options_.mean_distance == 0.0)
-      options_.mean_distance = meanDistance(grid_, options_.threads);
-    if (options_.mean_distance == 0.0)
+      options_.mean_distance = meanPickDistance(grid_, options_.threads);
+    if (options_.mean_distance < std::numeric_limits<double>::min())
       return; // all picks coincide
     const double h = field_.mean_distance = options_.mean_distance;
     if (options_.band == 0.0)
@@ -188,10 +173,13 @@ private:
     std::vector<PickState> found(bin.size());
     parallelBlocks(bin.size(), GRAIN, options_.threads, [&](std::size_t begin, std::size_t end) {
       PickSupport support(field_);
-      for (std::size_t i = begin; i < end; ++i)
-        found[i] = agreesWithItsSheet(grid_.points()[static_cast<std::size_t>(bin[i])], support)
-                       ? PickState::Trusted
-                       : PickState::Suspect;
+      for (std::size_t i = begin; i < end; ++i) {
+        const Vector3& pick = grid_.points()[static_cast<std::size_t>(bin[i])];
+        if (i > begin && pick == grid_.points()[static_cast<std::size_t>(bin[i - 1])])
+          found[i] = found[i - 1];
+        else
+          found[i] = agreesWithItsSheet(pick, support) ? PickState::Trusted : PickState::Suspect;
+      }
     });
     for (std::size_t i = 0; i < bin.size(); ++i)
       field_.states[static_cast<std::size_t>(bin[i])] = found[i];

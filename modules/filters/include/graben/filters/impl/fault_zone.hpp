@@ -1,0 +1,34 @@
+#pragma once
+
+#include "graben/filters/fault_distance.h"
+#include "graben/filters/fault_zone.h"
+#include "graben/filters/impl/fault_filter.hpp"
+#include "graben/filters/mean_distance.h"
+
+#include <cmath>
+
+namespace graben {
+
+template <typename PointT>
+FaultZone<PointT>::FaultZone(bool extract_removed_indices)
+    : FaultFilter<PointT>(extract_removed_indices) {
+  this->filter_name_ = "FaultZone";
+}
+
+template <typename PointT>
+std::vector<bool> FaultZone<PointT>::choose(const Points& points, const FaultNetwork& faults) {
+  constexpr double MEAN_DISTANCES = 5.0;
+  used_width_ = width_;
+  if (width_ == 0.0)
+    used_width_ =
+        MEAN_DISTANCES * meanPickDistance(NeighborGrid(points, 0.0, this->threads_), this->threads_);
+  distances_ = distancesToFaults(points, faults, used_width_, nullptr, this->threads_);
+  std::vector<bool> chosen;
+  for (const double distance : distances_)
+    chosen.push_back(std::isfinite(distance));
+  return chosen;
+}
+
+} // namespace graben
+
+#define PCL_INSTANTIATE_FaultZone(T) template class PCL_EXPORTS graben::FaultZone<T>;

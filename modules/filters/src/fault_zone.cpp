@@ -1,0 +1,6 @@
+#include "graben/filters/impl/fault_zone.hpp"
+
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/point_types.h>
+
+PCL_INSTANTIATE(FaultZone, (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointNormal))

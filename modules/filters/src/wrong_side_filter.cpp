@@ -1,0 +1,6 @@
+#include "graben/filters/impl/wrong_side_filter.hpp"
+
+#include <pcl/impl/instantiate.hpp>
+#include <pcl/point_types.h>
+
+PCL_INSTANTIATE(WrongSidePicks, (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointNormal))
