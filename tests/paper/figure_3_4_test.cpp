@@ -39,7 +39,7 @@ Wrong sortOut(const TriangleMesh& mesh, const TriangleBvh& truth, double voxel) 
 /// The surface with its wrong triangles in another colour.
 void draw(Wrong sorted, const std::string& name, const std::string& title) {
   sorted.right.piece.assign(sorted.right.vertices.size(), 0);
-  sorted.wrong.piece.assign(sorted.wrong.vertices.size(), 3);
+  sorted.wrong.piece.assign(sorted.wrong.vertices.size(), 1);
   append(sorted.right, sorted.wrong);
   removeUnreferencedVertices(sorted.right);
   SurfaceScene scene;

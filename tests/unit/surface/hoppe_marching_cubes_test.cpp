@@ -139,6 +139,7 @@ TEST_F(HoppeMarchingCubesTest, IsoLevelMovesTheSurfaceAlongTheNormals) {
   for (const float iso : {-2.5F, -0.3F, 0.4F, 3.0F}) {
     hoppe_.setIsoLevel(iso);
     const TriangleMesh mesh = run(test::sphere(3000, 10.0));
+    ASSERT_EQ(hoppe_.getStatus(), SurfaceStatus::Complete) << hoppe_.getStatusMessage();
     ASSERT_EQ(checkTopology(mesh).border_edges, 0U) << iso;
     for (const Vector3& v : mesh.vertices)
       ASSERT_NEAR(v.norm(), 10.0 + static_cast<double>(iso), 0.15) << iso;

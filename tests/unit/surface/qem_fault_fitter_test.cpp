@@ -91,6 +91,22 @@ TEST_F(QEMFaultFitterTest, ModesAndZoneWidth) {
   EXPECT_EQ(fitter_.getResult().fitted + fitter_.getResult().without_picks, before.vertices.size());
 }
 
+TEST_F(QEMFaultFitterTest, LengthAndSignOfNormalsMakeNoDifference) {
+  const auto rough = test::toCloud(picks_);
+  for (std::size_t i = 0; i < rough->size(); i += 3)
+    (*rough)[i].z += 0.1F;
+  fitter_.setInputCloud(rough);
+  const TriangleMesh expected = run();
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointNormal>>(*rough);
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    (*cloud)[i].getNormalVector3fMap() *= i % 3 == 0 ? 4.0F : i % 3 == 1 ? -1.0F : 0.75F;
+  fitter_.setInputCloud(cloud);
+  const TriangleMesh mesh = run();
+  ASSERT_EQ(mesh.vertices.size(), expected.vertices.size());
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    ASSERT_LT((mesh.vertices[v] - expected.vertices[v]).norm(), 1e-5);
+}
+
 TEST_F(QEMFaultFitterTest, InputMayBeTheOutput) {
   run();
   const auto mesh = pcl::make_shared<pcl::PolygonMesh>(mesh_);
