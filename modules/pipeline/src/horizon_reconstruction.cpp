@@ -34,7 +34,7 @@ void checkOptions(const ReconstructionOptions& o) {
   check(std::isfinite(o.z_scale) && o.z_scale > 0.0, "the z scale must be a positive number");
 }
 
-/// Mean distance between picks where they are dense: from the area that the eight nearest cover.
+/// Mean distance between distinct picks where they are dense: from the area that the eight nearest cover.
 double meanDistance(const NeighborGrid& grid, unsigned threads) {
   constexpr std::size_t k = 9;
   const std::vector<Index>& order = grid.order();
@@ -43,8 +43,14 @@ double meanDistance(const NeighborGrid& grid, unsigned threads) {
   parallelBlocks(distances.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbor> near;
     for (std::size_t i = begin; i < end; ++i) {
-      grid.nearest(grid.points()[static_cast<std::size_t>(order[i * step])], k, near);
-      distances[i] = std::sqrt(near.back().squared_distance * M_PI / static_cast<double>(near.size() - 1));
+      const Vector3& p = grid.points()[static_cast<std::size_t>(order[i * step])];
+      grid.nearest(p, k, near);
+      std::size_t copies = 0;
+      while (copies < near.size() && near[copies].squared_distance == 0.0)
+        ++copies;
+      const double distinct = static_cast<double>(near.size() - copies) / static_cast<double>(std::max<std::size_t>(copies, 1));
+      if (distinct > 0.0)
+        distances[i] = std::sqrt(near.back().squared_distance * M_PI / distinct);
     }
   });
   distances.erase(std::remove(distances.begin(), distances.end(), 0.0), distances.end());

@@ -18,7 +18,7 @@ Bounds boxAround(const Vector3& p, double radius) {
 
 constexpr double kDegree = M_PI / 180.0;
 constexpr double kWidestGap = 150.0 * kDegree;        // between the directions to the picks around a place inside the data
-constexpr double kWidestGapAtFault = 130.0 * kDegree; // the same where faults close the ring
+constexpr double kWidestGapAtFault = 100.0 * kDegree; // the same where faults close the ring
 constexpr std::size_t kEnclosingPicks = 24;
 constexpr int kRays = 16;
 

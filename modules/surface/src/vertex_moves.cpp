@@ -11,8 +11,9 @@ namespace {
 
 constexpr int kRings = 3;        // how far a slide along a fault is felt
 constexpr double kDrag = 0.7;    // share of their neighbours' slide that vertices follow
-constexpr int kPullRounds = 3;
+constexpr int kPullRounds = 6;
 constexpr double kStop = 0.6;    // where a vertex stops on its way to a fault
+constexpr double kShortOfFault = 0.97;
 
 /// Vertices within a few rings of the faults, with their neighbours; the rest of the mesh is not touched.
 class FaultBelt {
@@ -79,7 +80,14 @@ void drag(const CutMesh& cut, const FaultBelt& belt, Points& targets) {
       targets[static_cast<std::size_t>(vertex)] += slide[static_cast<std::size_t>(vertex)];
 }
 
-/// A vertex hidden from the middle of its neighbours goes back towards them.
+/// True if a fault lies between a vertex off the faults and a neighbour; a neighbour on a fault is asked for just short of it.
+bool hidden(const CutMesh& cut, const FaultNetwork& faults, const Points& targets, const Vector3& from, Index neighbor) {
+  const Vector3& at = targets[static_cast<std::size_t>(neighbor)];
+  return !sameSide(faults, from, cut.onFault(neighbor) ? Vector3(from + kShortOfFault * (at - from)) : at);
+}
+
+/// A vertex that a fault hides from the middle of its neighbours stops on the way from there; one that it hides from single neighbours, where a fault
+/// bends sharply, goes back towards the middle.
 void pullBack(const CutMesh& cut, const FaultNetwork& faults, const FaultBelt& belt, Points& targets, unsigned threads) {
   Points moved(belt.vertices.size());
   parallelFor(belt.vertices.size(), 256, threads, [&](std::size_t i) {
@@ -90,10 +98,13 @@ void pullBack(const CutMesh& cut, const FaultNetwork& faults, const FaultBelt& b
     Vector3 middle = Vector3::Zero();
     for (const Index n : belt.neighbors[i])
       middle += targets[static_cast<std::size_t>(n)] / static_cast<double>(belt.neighbors[i].size());
-    if (sameSide(faults, middle, targets[v]))
-      return;
-    if (const auto crossing = faults.firstCrossing(middle, targets[v]))
-      moved[i] = middle + kStop * (crossing->point - middle);
+    if (!sameSide(faults, middle, targets[v])) {
+      if (const auto crossing = faults.firstCrossing(middle, targets[v]))
+        moved[i] = middle + kStop * (crossing->point - middle);
+    } else if (std::any_of(belt.neighbors[i].begin(), belt.neighbors[i].end(),
+                           [&](Index n) { return hidden(cut, faults, targets, targets[v], n); })) {
+      moved[i] = 0.5 * (middle + targets[v]);
+    }
   });
   for (std::size_t i = 0; i < moved.size(); ++i)
     targets[static_cast<std::size_t>(belt.vertices[i])] = moved[i];
