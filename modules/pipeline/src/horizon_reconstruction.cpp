@@ -4,11 +4,13 @@
 #include "fault_preparation.h"
 #include "stage_clock.h"
 
+#include "graben/analysis/bridges.h"
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 #include "graben/mesh/components.h"
 #include "graben/mesh/normals.h"
 #include "graben/surface/crumbs.h"
+#include "graben/surface/data_border.h"
 #include "graben/surface/fault_cut.h"
 #include "graben/surface/local_fit.h"
 
@@ -20,6 +22,7 @@ namespace graben {
 namespace {
 
 constexpr std::size_t kCrumb = 20;
+constexpr double kOverhang = 0.6; // of a voxel: how far the surface reaches beyond the outermost picks
 
 void checkOptions(const ReconstructionOptions& o) {
   const auto check = [](bool good, const char* message) {
@@ -167,7 +170,7 @@ private:
     const UsedParameters& used = result_.report.used;
     SignedDistanceOptions distance;
     distance.rho_plus_delta = rhoPlusDelta();
-    distance.overhang = used.voxel_size;
+    distance.overhang = std::sqrt(2.0) * used.voxel_size; // every cell that holds a pick is whole; trimmed afterwards
     distance.fault_reach = used.fault_reach;
     distance.voxel_size = used.voxel_size;
     distance.blend = options_.smooth ? 4 : 1;
@@ -181,6 +184,10 @@ private:
     extraction.progress = options_.progress;
     const SignedDistance field(grid_, planes_, *faults_, distance);
     SheetMesh sheets = extractSheets(field, extraction);
+    DataBorderOptions border;
+    border.overhang = kOverhang * used.voxel_size;
+    border.threads = options_.threads;
+    trimToData(sheets, field, border);
     result_.report.cells = sheets.cells;
     result_.report.rejected_by_flip_angle = sheets.rejected_by_flip_angle;
     return sheets;
@@ -230,7 +237,23 @@ private:
     refine(cut_, local, refinement);
   }
 
+  /// A few triangles in the corners between faults may still reach over a fault after the fit; no bridge may stay.
+  void removeBridges() {
+    if (faults_->empty() || cut_.mesh.empty())
+      return;
+    const double tolerance = 0.01 * result_.report.used.voxel_size;
+    for (int round = 0; round < 3; ++round) {
+      const std::vector<Index> bridges = bridgingTriangles(cut_.mesh, *faults_, tolerance, options_.threads);
+      if (bridges.empty() || bridges.size() == cut_.mesh.triangles.size())
+        return;
+      result_.report.bridges_removed += bridges.size();
+      removeTriangles(cut_, bridges);
+      result_.report.crumbs_removed += removeCrumbs(cut_, kCrumb);
+    }
+  }
+
   void finish() {
+    removeBridges();
     computeVertexNormals(cut_.mesh, options_.threads);
     labelPieces(cut_.mesh);
     evaluate(cut_, *faults_, points_, zone_, options_.threads, result_.report);

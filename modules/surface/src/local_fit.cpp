@@ -79,6 +79,7 @@ struct Support {
   Vector3 v;
   Vector3 normal;
   double radius;
+  Index own;
 };
 
 double weightOf(double squared_distance, double radius) {
@@ -101,10 +102,13 @@ LocalEstimate estimate(const Support& s) {
   result.valid = true;
   result.offset = c[0];
   result.normal = (s.normal - c[1] / s.radius * s.u - c[2] / s.radius * s.v).normalized();
-  const Neighbor& first = s.picks.front();
-  const Vector3 d = s.points[static_cast<std::size_t>(first.index)] - s.at;
-  result.leverage = polynomial.leverage(d.dot(s.u) / s.radius, d.dot(s.v) / s.radius, weightOf(first.squared_distance, s.radius));
-  result.nearest = std::sqrt(first.squared_distance);
+  result.nearest = std::sqrt(s.picks.front().squared_distance);
+  for (const Neighbor& pick : s.picks) {
+    if (pick.index != s.own)
+      continue;
+    const Vector3 d = s.points[static_cast<std::size_t>(pick.index)] - s.at;
+    result.leverage = polynomial.leverage(d.dot(s.u) / s.radius, d.dot(s.v) / s.radius, weightOf(pick.squared_distance, s.radius));
+  }
   return result;
 }
 
@@ -113,14 +117,14 @@ LocalEstimate estimate(const Support& s) {
 LocalFit::LocalFit(const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults, double search_radius)
   : grid_(grid), planes_(planes), faults_(faults), search_radius_(search_radius) {}
 
-void LocalFit::gather(const Vector3& viewpoint, const Vector3& normal, std::size_t wanted, Scratch& scratch) const {
+void LocalFit::gather(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, std::size_t wanted, Scratch& scratch) const {
   for (std::size_t count = wanted;; count *= 2) {
-    grid_.nearest(viewpoint, count, scratch.candidates, search_radius_);
+    grid_.nearest(at, count, scratch.candidates, search_radius_);
     scratch.picks.clear();
     if (scratch.candidates.empty())
       return;
     const double reach = std::sqrt(scratch.candidates.back().squared_distance);
-    const bool near_faults = !faults_.empty() && faults_.mayTouch(boxAround(viewpoint, reach));
+    const bool near_faults = !faults_.empty() && faults_.mayTouch(boxAround(at, reach));
     for (const Neighbor& c : scratch.candidates) {
       const auto i = static_cast<std::size_t>(c.index);
       if (!(planes_.normals[i].dot(normal) > kNormalLimit))
@@ -137,8 +141,8 @@ void LocalFit::gather(const Vector3& viewpoint, const Vector3& normal, std::size
 }
 
 LocalEstimate LocalFit::at(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, const LocalModel& model,
-                           Scratch& scratch) const {
-  gather(viewpoint, normal, model.neighbors, scratch);
+                           Scratch& scratch, Index own) const {
+  gather(at, viewpoint, normal, model.neighbors, scratch);
   for (Neighbor& pick : scratch.picks)
     pick.squared_distance = (grid_.points()[static_cast<std::size_t>(pick.index)] - at).squaredNorm();
   if (scratch.picks.size() < 4)
@@ -149,7 +153,7 @@ LocalEstimate LocalFit::at(const Vector3& at, const Vector3& viewpoint, const Ve
   if (!(farthest > 0.0))
     return {};
   const Vector3 u = normal.unitOrthogonal();
-  const Support support{grid_.points(), scratch.picks, at, u, normal.cross(u), normal, 1.05 * std::sqrt(farthest)};
+  const Support support{grid_.points(), scratch.picks, at, u, normal.cross(u), normal, 1.05 * std::sqrt(farthest), own};
   return model.degree == 2 && scratch.picks.size() >= 10 ? estimate<6>(support) : estimate<3>(support);
 }
 

@@ -10,6 +10,7 @@ namespace graben {
 namespace {
 
 constexpr std::size_t kSample = 2000;
+constexpr LocalModel kFirst = {1, 30};
 constexpr std::array<LocalModel, 13> kModels = {{{1, 8}, {1, 12}, {1, 18}, {1, 27}, {1, 40}, {1, 60}, {1, 90},
                                                  {2, 14}, {2, 25}, {2, 40}, {2, 60}, {2, 90}, {2, 140}}};
 
@@ -40,11 +41,15 @@ double predictionError(const LocalFit& fit, const std::vector<Index>& picks, con
     LocalFit::Scratch scratch;
     for (std::size_t i = begin; i < end; ++i) {
       const auto p = static_cast<std::size_t>(picks[i]);
-      const Vector3& at = fit.grid().points()[p];
-      const LocalEstimate e = fit.at(at, at, fit.planes().normals[p], model, scratch);
+      // Neighbours are taken around the pick's foot on a first estimate: around the noisy pick itself those with the same noise would come first.
+      const Vector3& pick = fit.grid().points()[p];
+      const Vector3& normal = fit.planes().normals[p];
+      const LocalEstimate first = fit.at(pick, pick, normal, kFirst, scratch);
+      const Vector3 foot = first.valid ? Vector3(pick + first.offset * normal) : pick;
+      const LocalEstimate e = fit.at(foot, pick, normal, model, scratch, picks[i]);
       if (!e.valid || e.leverage > 0.999)
         continue;
-      const double error = e.offset / (1.0 - e.leverage);
+      const double error = (e.offset - (pick - foot).dot(normal)) / (1.0 - e.leverage);
       squared[i] = error * error;
     }
   });

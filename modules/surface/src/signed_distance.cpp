@@ -171,4 +171,22 @@ FieldValue SignedDistance::at(const Vector3& v, const Vector3& viewpoint, Scratc
   return result;
 }
 
+double SignedDistance::distanceBeyond(const Vector3& place, const Vector3& viewpoint, const Vector3& normal, double near,
+                                      Scratch& scratch) const {
+  const Neighbor nearest = grid_.nearestOne(place, query_radius_);
+  if (nearest.index < 0)
+    return query_radius_;
+  const double distance = std::sqrt(nearest.squared_distance);
+  if (distance <= near)
+    return distance;
+  if (distance < options_.rho_plus_delta && surrounded(place, normal, scratch))
+    return 0.0;
+  if (options_.fault_reach > 0.0 && faults_.mayTouch(boxAround(place, options_.fault_reach))) {
+    findVisible(place, viewpoint, true, scratch);
+    if (!scratch.visible.empty() && carriedToFault(place, scratch))
+      return 0.0;
+  }
+  return distance;
+}
+
 } // namespace graben

@@ -8,4 +8,7 @@ namespace graben {
 /// \return how many components were removed
 std::size_t removeCrumbs(CutMesh& cut, std::size_t least);
 
+/// Removes the triangles named (in rising order) and gives fans of triangles that are left touching in a vertex a vertex each.
+void removeTriangles(CutMesh& cut, const std::vector<Index>& triangles);
+
 } // namespace graben

@@ -16,7 +16,7 @@ struct LocalEstimate {
   bool valid = false;
   double offset = 0.0;                  ///< from the query along its normal to the surface
   Vector3 normal = Vector3::UnitZ();    ///< of the surface there
-  double leverage = 0.0;                ///< weight of the first pick in its own estimate, 0 to 1
+  double leverage = 0.0;                ///< weight that the pick asked for has in the estimate at its own foot, 0 to 1
   double nearest = 0.0;                 ///< distance to the nearest pick used
 };
 
@@ -35,14 +35,16 @@ public:
   /// \param[in] at        where the estimate is wanted
   /// \param[in] viewpoint from where it is asked which picks lie on the same side (at itself, or a place just inside the sheet)
   /// \param[in] normal    unit direction to move along; picks whose normal is more than 70 degrees from it are left out
-  LocalEstimate at(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, const LocalModel& model, Scratch& scratch) const;
+  /// \param[in] own       pick whose leverage is wanted, -1 for none
+  LocalEstimate at(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, const LocalModel& model, Scratch& scratch,
+                   Index own = -1) const;
 
   const NeighborGrid& grid() const { return grid_; }
   const TangentPlanes& planes() const { return planes_; }
   const FaultNetwork& faults() const { return faults_; }
 
 private:
-  void gather(const Vector3& viewpoint, const Vector3& normal, std::size_t count, Scratch& scratch) const;
+  void gather(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, std::size_t count, Scratch& scratch) const;
 
   const NeighborGrid& grid_;
   const TangentPlanes& planes_;

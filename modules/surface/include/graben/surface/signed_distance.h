@@ -43,6 +43,10 @@ public:
 
   FieldValue at(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
 
+  /// How far a place on the surface lies from the nearest pick; 0 if that is within \a near, if picks lie all round it, or if picks and faults enclose it.
+  /// \param[in] viewpoint from where it is asked which picks count: the place itself, or a place on the sheet's own side
+  double distanceBeyond(const Vector3& place, const Vector3& viewpoint, const Vector3& normal, double near, Scratch& scratch) const;
+
   const SignedDistanceOptions& options() const { return options_; }
   const FaultNetwork& faults() const { return faults_; }
   const TangentPlanes& planes() const { return planes_; }
