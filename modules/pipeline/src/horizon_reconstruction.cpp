@@ -5,6 +5,7 @@
 #include "stage_clock.h"
 
 #include "graben/analysis/bridges.h"
+#include "graben/analysis/flipped_triangles.h"
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 #include "graben/mesh/components.h"
@@ -22,6 +23,7 @@ namespace graben {
 namespace {
 
 constexpr std::size_t kCrumb = 20;
+constexpr int kUnfoldRounds = 4;
 constexpr double kOverhang = 0.6; // of a voxel: how far the surface reaches beyond the outermost picks
 
 void checkOptions(const ReconstructionOptions& o) {
@@ -237,23 +239,28 @@ private:
     refine(cut_, local, refinement);
   }
 
-  /// A few triangles in the corners between faults may still reach over a fault after the fit; no bridge may stay.
-  void removeBridges() {
-    if (faults_->empty() || cut_.mesh.empty())
+  /// A few triangles, mostly in the corners between faults, may be folded over or still reach over a fault after the fit; none may stay.
+  void tidy() {
+    if (cut_.mesh.empty())
       return;
+    for (int round = 0; round < kUnfoldRounds; ++round)
+      relaxTriangles(cut_, foldedTriangles(cut_.mesh));
+    result_.report.folds_removed = remove(foldedTriangles(cut_.mesh));
     const double tolerance = 0.01 * result_.report.used.voxel_size;
-    for (int round = 0; round < 3; ++round) {
-      const std::vector<Index> bridges = bridgingTriangles(cut_.mesh, *faults_, tolerance, options_.threads);
-      if (bridges.empty() || bridges.size() == cut_.mesh.triangles.size())
-        return;
-      result_.report.bridges_removed += bridges.size();
-      removeTriangles(cut_, bridges);
-      result_.report.crumbs_removed += removeCrumbs(cut_, kCrumb);
-    }
+    if (!faults_->empty())
+      result_.report.bridges_removed = remove(bridgingTriangles(cut_.mesh, *faults_, tolerance, options_.threads));
+  }
+
+  std::size_t remove(const std::vector<Index>& triangles) {
+    if (triangles.empty() || triangles.size() == cut_.mesh.triangles.size())
+      return 0;
+    removeTriangles(cut_, triangles);
+    result_.report.crumbs_removed += removeCrumbs(cut_, kCrumb);
+    return triangles.size();
   }
 
   void finish() {
-    removeBridges();
+    tidy();
     computeVertexNormals(cut_.mesh, options_.threads);
     labelPieces(cut_.mesh);
     evaluate(cut_, *faults_, points_, zone_, options_.threads, result_.report);

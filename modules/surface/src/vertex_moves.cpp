@@ -1,5 +1,7 @@
 #include "vertex_moves.h"
 
+#include "graben/surface/crumbs.h"
+
 #include "graben/core/threads.h"
 #include "graben/faults/fault_signature.h"
 
@@ -120,6 +122,30 @@ void moveVertices(CutMesh& cut, const FaultNetwork& faults, Points targets, unsi
       pullBack(cut, faults, belt, targets, threads);
   }
   cut.mesh.vertices = std::move(targets);
+}
+
+void relaxTriangles(CutMesh& cut, const std::vector<Index>& triangles) {
+  std::vector<Index> vertices;
+  for (const Index t : triangles)
+    for (const Index v : cut.mesh.triangles[static_cast<std::size_t>(t)])
+      if (!cut.onFault(v))
+        vertices.push_back(v);
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+
+  Points sums(vertices.size(), Vector3::Zero());
+  std::vector<int> counts(vertices.size(), 0);
+  for (const Triangle& t : cut.mesh.triangles)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto found = std::lower_bound(vertices.begin(), vertices.end(), t[c]);
+      if (found == vertices.end() || *found != t[c])
+        continue;
+      const auto i = static_cast<std::size_t>(found - vertices.begin());
+      sums[i] += cut.mesh.vertices[static_cast<std::size_t>(t[(c + 1) % 3])] + cut.mesh.vertices[static_cast<std::size_t>(t[(c + 2) % 3])];
+      counts[i] += 2;
+    }
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    cut.mesh.vertices[static_cast<std::size_t>(vertices[i])] = sums[i] / counts[i];
 }
 
 } // namespace graben

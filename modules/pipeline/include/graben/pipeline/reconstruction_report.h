@@ -52,6 +52,7 @@ struct ReconstructionReport {
   std::vector<FaultReport> faults;
   std::size_t cells = 0;
   std::size_t rejected_by_flip_angle = 0;
+  std::size_t folds_removed = 0;         ///< triangles still folded over after the fit, left out of the mesh
   std::size_t bridges_removed = 0;       ///< triangles that still reached over a fault after the fit, left out of the mesh
   std::size_t crumbs_removed = 0;        ///< components of under 20 triangles left out of the mesh
   DistanceStatistics zone_before_fit;    ///< E(M, X) over the picks in the zone
