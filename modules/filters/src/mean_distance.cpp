@@ -17,8 +17,8 @@ double meanPickDistance(const NeighborGrid& grid, unsigned threads) {
       const auto pick = static_cast<std::size_t>(grid.order()[i * grid.size() / count]);
       grid.nearest(grid.points()[pick], NEAREST + 1, near);
       if (near.size() > 1)
-        found[i] = std::sqrt(M_PI * near.back().squared_distance /
-                             static_cast<double>(near.size() - 1));
+        found[i] =
+            std::sqrt(M_PI * near.back().squared_distance / static_cast<double>(near.size() - 1));
     }
   });
   // Picks that coincide with all their neighbours say nothing.

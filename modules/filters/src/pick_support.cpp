@@ -8,15 +8,15 @@
 namespace graben::detail {
 namespace {
 
-constexpr std::size_t WANTED = 16;      ///< picks a plane is fitted to, as a rule
-constexpr std::size_t MOST = 48;        ///< where they are far away
-constexpr double SPREAD = 1.6;          ///< farthest over nearest of those wanted, then
-constexpr std::size_t NEEDED = 6;       ///< fewest of them
+constexpr std::size_t WANTED = 16;                 ///< picks a plane is fitted to, as a rule
+constexpr std::size_t MOST = 48;                   ///< where they are far away
+constexpr double SPREAD = 1.6;                     ///< farthest over nearest of those wanted, then
+constexpr std::size_t NEEDED = 6;                  ///< fewest of them
 constexpr std::size_t FEW = 64, CANDIDATES = 1024; ///< picks looked at, first and at most
-constexpr double RADIUS = 12.0;          ///< farthest pick, in mean distances
-constexpr double SUSPECT_RADIUS = 4.0;  ///< the same among suspects
-constexpr std::size_t HIDDEN = 400;     ///< picks beyond faults to look at
-constexpr std::size_t SHEETS = 6;       ///< most sheets told apart there
+constexpr double RADIUS = 12.0;                    ///< farthest pick, in mean distances
+constexpr double SUSPECT_RADIUS = 4.0;             ///< the same among suspects
+constexpr std::size_t HIDDEN = 400;                ///< picks beyond faults to look at
+constexpr std::size_t SHEETS = 6;                  ///< most sheets told apart there
 
 /// True if the points so far, nearest first, make a plane that needs no more.
 bool enough(const std::vector<WeightedPoint>& points, const Vector3& viewpoint) {

@@ -12,9 +12,9 @@ namespace graben::detail {
 
 /// What may be built on a pick.
 enum class PickState : std::uint8_t {
-  Trusted,  ///< farther than the band from every fault, or accepted
-  Pending,  ///< not judged yet
-  Suspect,  ///< disagrees with its own sheet
+  Trusted, ///< farther than the band from every fault, or accepted
+  Pending, ///< not judged yet
+  Suspect, ///< disagrees with its own sheet
   WrongSide,
   Smeared,
   Doubtful ///< a suspect that nothing explains
@@ -25,10 +25,11 @@ struct PickField {
   const NeighborGrid& grid;
   const FaultNetwork& faults;
   double mean_distance;
-  double scale;                    ///< least deviation to reckon with in robust fits
-  std::vector<double> distances;   ///< to the nearest fault; infinite beyond the band
+  double scale;                  ///< least deviation to reckon with in robust fits
+  std::vector<double> distances; ///< to the nearest fault; infinite beyond the band
   std::vector<PickState> states;
-  std::vector<std::uint64_t> home; ///< fault signature from a wrong-side pick to its own sheet; else 0
+  std::vector<std::uint64_t>
+      home;                    ///< fault signature from a wrong-side pick to its own sheet; else 0
   std::vector<Index> examples; ///< a trusted pick of that sheet; else the pick itself
 };
 

@@ -1,18 +1,33 @@
 #include "robust_plane.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace graben::detail {
 namespace {
 
-constexpr double LINE = 1e-6; ///< ratio of two eigenvalues below which points lie on a line
-constexpr int ABSOLUTE_PASSES = 6, BIWEIGHT_PASSES = 4;
+constexpr double LINE = 1e-6; ///< sine of the angle under which three points lie on a line
+constexpr int TRIPLES = 32, ABSOLUTE_PASSES = 6, BIWEIGHT_PASSES = 4;
 constexpr double BIWEIGHT_WIDTH = 4.685, DEVIATION_FROM_MEDIAN = 1.4826;
+
+/// Numbers that look random and are the same everywhere (splitmix64, public domain, S. Vigna).
+class Sequence {
+public:
+  std::size_t below(std::size_t count) {
+    std::uint64_t x = state_ += 0x9e3779b97f4a7c15ULL;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+    return static_cast<std::size_t>((x ^ (x >> 31)) % count);
+  }
+
+private:
+  std::uint64_t state_ = 0;
+};
 
 class PlaneFit {
 public:
@@ -21,9 +36,18 @@ public:
       , least_scale_(scale) {}
 
   bool fit() {
-    if (points_.size() < 3 || !chooseFrame())
+    if (points_.size() < 3 || !chooseDirection())
       return false;
-    robust_.assign(points_.size(), 1.0);
+    double sum = 0.0;
+    for (const WeightedPoint& p : points_) {
+      centre_ += p.weight * (p.position - points_.front().position);
+      sum += p.weight;
+    }
+    centre_ = centre_ / sum + points_.front().position;
+    model_ = Vector3(frame_.col(2).dot(start_ - centre_), 0.0, 0.0);
+    robust_.resize(points_.size());
+    measure();
+    weighByAbsolute();
     for (int pass = 0; pass <= ABSOLUTE_PASSES + BIWEIGHT_PASSES; ++pass) {
       if (!solve())
         return false;
@@ -44,31 +68,47 @@ public:
     plane.offset = (local.z() - row.dot(model_)) / steepness;
     plane.leverage = row.dot(factor_.solve(row));
     plane.reach = local.norm();
-    plane.valid = plane.normal.allFinite() && std::isfinite(plane.offset) &&
-                  std::isfinite(plane.leverage);
+    plane.valid =
+        plane.normal.allFinite() && std::isfinite(plane.offset) && std::isfinite(plane.leverage);
     return plane;
   }
 
 private:
-  bool chooseFrame() {
-    double sum = 0.0;
-    centre_.setZero();
-    for (const WeightedPoint& p : points_) {
-      centre_ += p.weight * (p.position - points_.front().position);
-      sum += p.weight;
+  /// Heights are measured across the plane, of those through some triples of points, that half of
+  /// all are nearest to; principal axes would be the outliers'.
+  bool chooseDirection() {
+    Sequence sequence;
+    double least = std::numeric_limits<double>::infinity();
+    for (int t = 0; t < TRIPLES; ++t) {
+      const Vector3& a = points_[sequence.below(points_.size())].position;
+      const Vector3 ab = points_[sequence.below(points_.size())].position - a;
+      const Vector3 ac = points_[sequence.below(points_.size())].position - a;
+      const Vector3 normal = ab.cross(ac);
+      if (!(normal.norm() > LINE * ab.norm() * ac.norm()))
+        continue;
+      const double spread = medianDistance(a, normal.normalized());
+      if (spread < least) {
+        least = spread;
+        setFrame(normal.normalized());
+        start_ = a;
+      }
     }
-    centre_ = centre_ / sum + points_.front().position;
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    return std::isfinite(least);
+  }
+
+  double medianDistance(const Vector3& a, const Vector3& normal) {
+    sorted_.clear();
     for (const WeightedPoint& p : points_)
-      covariance += p.weight * (p.position - centre_) * (p.position - centre_).transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-    const Vector3 values = solver.eigenvalues();
-    if (!(values[2] > 0.0) || !(values[1] > LINE * values[2]))
-      return false;
-    frame_.col(0) = solver.eigenvectors().col(2);
-    frame_.col(1) = solver.eigenvectors().col(1);
-    frame_.col(2) = frame_.col(0).cross(frame_.col(1));
-    return true;
+      sorted_.push_back(std::abs(normal.dot(p.position - a)));
+    const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
+    std::nth_element(sorted_.begin(), middle, sorted_.end());
+    return *middle;
+  }
+
+  void setFrame(const Vector3& normal) {
+    frame_.col(2) = normal;
+    frame_.col(0) = normal.unitOrthogonal();
+    frame_.col(1) = normal.cross(frame_.col(0));
   }
 
   bool solve() {
@@ -85,12 +125,16 @@ private:
     if (factor_.info() != Eigen::Success || !factor_.isPositive())
       return false;
     model_ = factor_.solve(right);
+    measure();
+    return model_.allFinite();
+  }
+
+  void measure() {
     residuals_.clear();
     for (const WeightedPoint& p : points_) {
       const Vector3 local = frame_.transpose() * (p.position - centre_);
       residuals_.push_back(std::abs(local.z() - Vector3(1.0, local.x(), local.y()).dot(model_)));
     }
-    return model_.allFinite();
   }
 
   void weighByAbsolute() {
@@ -102,8 +146,7 @@ private:
     sorted_ = residuals_;
     const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
     std::nth_element(sorted_.begin(), middle, sorted_.end());
-    const double width =
-        BIWEIGHT_WIDTH * std::max(least_scale_, DEVIATION_FROM_MEDIAN * *middle);
+    const double width = BIWEIGHT_WIDTH * std::max(least_scale_, DEVIATION_FROM_MEDIAN * *middle);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const double share = residuals_[i] / width;
       robust_[i] = share < 1.0 ? (1.0 - share * share) * (1.0 - share * share) : 0.0;
@@ -113,6 +156,7 @@ private:
   const std::vector<WeightedPoint>& points_;
   double least_scale_;
   Vector3 centre_ = Vector3::Zero();
+  Vector3 start_ = Vector3::Zero(); ///< a point of the plane the fit starts from
   Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
   Eigen::LDLT<Eigen::Matrix3d> factor_;
   Vector3 model_ = Vector3::Zero(); ///< height, two slopes

@@ -21,8 +21,9 @@ struct PlaneAt {
   double reach = 0.0;    ///< distance of the query to the points' weighted centre
 };
 
-/// Robust plane of heights over the points' principal plane, that outliers (up to about a third)
-/// do not pull: least absolute deviations, then Tukey's biweight.
+/// Robust plane that outliers do not pull, up to about a third and as far off as the points spread:
+/// from the best of planes through triples of points, by least absolute deviations, then Tukey's
+/// biweight. Deterministic.
 /// \param[in] scale least standard deviation to reckon with, positive
 /// \return not valid for fewer than 3 points, or points on a line
 PlaneAt robustPlaneAt(const Vector3& query, const std::vector<WeightedPoint>& points, double scale);

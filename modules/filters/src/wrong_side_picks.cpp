@@ -22,7 +22,7 @@ using detail::SheetBeyond;
 
 constexpr std::size_t GRAIN = 64;
 constexpr double BAND = 4.0, BIN = 0.5, TOLERANCE = 0.1; // mean distances
-constexpr double DEVIATIONS = 4.0;     ///< of noise that a good pick may be off
+constexpr double DEVIATIONS = 4.0;                       ///< of noise that a good pick may be off
 constexpr double SLOPE_CHANGE = 0.075; ///< of the surface between a pick and its neighbours
 constexpr double MOST_LEVERAGE = 4.0;  ///< of a plane that can be relied on
 constexpr double LEAST_COSINE = 0.3;   ///< of the angle between two sheets that can be compared
@@ -61,8 +61,8 @@ std::vector<double> onesidedErrors(const PickField& field, bool trusted_only, do
         continue;
       const double angle = GOLDEN_ANGLE * static_cast<double>(i);
       const Vector3 direction(std::cos(angle), std::sin(angle), 0.0);
-      const PlaneAt plane = support.planeBeside(field.grid.points()[pick], direction,
-                                                field.mean_distance, band);
+      const PlaneAt plane =
+          support.planeBeside(field.grid.points()[pick], direction, field.mean_distance, band);
       if (plane.valid)
         found[i] = std::abs(plane.offset) / std::sqrt(1.0 + plane.leverage);
     }
@@ -132,11 +132,10 @@ private:
 
   /// Picks of the band by distance, in the grid's order.
   void sortIntoBins() {
-    field_.distances = distancesToFaults(grid_.points(), faults_, options_.band, &grid_.order(),
-                                         options_.threads);
+    field_.distances =
+        distancesToFaults(grid_.points(), faults_, options_.band, &grid_.order(), options_.threads);
     constexpr double MOST_BINS = 1000.0;
-    const double width =
-        std::max(BIN * options_.mean_distance, options_.band / MOST_BINS);
+    const double width = std::max(BIN * options_.mean_distance, options_.band / MOST_BINS);
     for (const Index i : grid_.order()) {
       const auto pick = static_cast<std::size_t>(i);
       if (!std::isfinite(field_.distances[pick]))
@@ -215,13 +214,12 @@ private:
       if (field_.states[static_cast<std::size_t>(i)] == PickState::Suspect)
         suspects.push_back(i);
     std::vector<Verdict> found(suspects.size());
-    parallelBlocks(suspects.size(), GRAIN, options_.threads,
-                   [&](std::size_t begin, std::size_t end) {
-                     PickSupport support(field_);
-                     for (std::size_t i = begin; i < end; ++i)
-                       found[i] = verdict(
-                           grid_.points()[static_cast<std::size_t>(suspects[i])], support);
-                   });
+    parallelBlocks(
+        suspects.size(), GRAIN, options_.threads, [&](std::size_t begin, std::size_t end) {
+          PickSupport support(field_);
+          for (std::size_t i = begin; i < end; ++i)
+            found[i] = verdict(grid_.points()[static_cast<std::size_t>(suspects[i])], support);
+        });
     for (std::size_t i = 0; i < suspects.size(); ++i) {
       const auto pick = static_cast<std::size_t>(suspects[i]);
       field_.states[pick] = found[i].state;
@@ -241,8 +239,7 @@ private:
     Verdict best;
     for (const SheetBeyond& sheet : support.sheetsBeyond(viewpoint)) {
       const Index fault = faultBefore(sheet, viewpoint);
-      const PickState state =
-          fault < 0 ? PickState::Doubtful : stateBeyond(own, sheet.plane);
+      const PickState state = fault < 0 ? PickState::Doubtful : stateBeyond(own, sheet.plane);
       if (state != PickState::Doubtful)
         best = {state, fault, sheet.signature, sheet.example};
       if (state == PickState::WrongSide)
@@ -314,7 +311,7 @@ private:
   const FaultNetwork& faults_;
   WrongSideOptions options_;
   PickField field_;
-  std::vector<Index> wrong_about_; ///< the fault a flagged pick is flagged for, else -1
+  std::vector<Index> wrong_about_;       ///< the fault a flagged pick is flagged for, else -1
   std::vector<std::vector<Index>> bins_; ///< nearest first
   std::size_t judged_ = 0;
 };

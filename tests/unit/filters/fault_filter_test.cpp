@@ -56,8 +56,7 @@ TEST(WrongSideFilter, RemovesFlaggedPicksAndSaysWhy) {
   EXPECT_EQ(filter.getStatus(), FilterStatus::Complete);
   EXPECT_EQ(kept.size(), job.cloud->size() - 3);
   EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
-  EXPECT_EQ(*filter.getRemovedIndices(),
-            (pcl::Indices{job.wrong, job.smeared, job.count() - 1}));
+  EXPECT_EQ(*filter.getRemovedIndices(), (pcl::Indices{job.wrong, job.smeared, job.count() - 1}));
   ASSERT_EQ(filter.getReasons().size(), job.cloud->size());
   EXPECT_EQ(filter.getReasons()[static_cast<std::size_t>(job.wrong)], PickReason::WrongSide);
   EXPECT_EQ(filter.getReasons()[static_cast<std::size_t>(job.smeared)], PickReason::Smeared);
@@ -165,7 +164,8 @@ TEST(FaultZoneFilter, KeepsWhatIsWithinTheWidth) {
   filter.setNegative(true);
   pcl::Indices away;
   filter.filter(away);
-  EXPECT_EQ(away.size(), job.cloud->size() - kept.size() - 1) << "the point not finite is in neither";
+  EXPECT_EQ(away.size(), job.cloud->size() - kept.size() - 1)
+      << "the point not finite is in neither";
 }
 
 TEST(FaultZoneFilter, ChoosesItsWidthAndRejectsWrongOnes) {

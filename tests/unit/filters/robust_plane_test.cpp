@@ -21,12 +21,15 @@ TEST(RobustPlane, IsExactOnAPlane) {
 }
 
 TEST(RobustPlane, IgnoresAThirdOfOutliers) {
-  std::vector<WeightedPoint> points = tilted(0.3);
-  for (std::size_t i = 0; i < points.size(); i += 3)
-    points[i].position.z() += 40.0;
-  const PlaneAt plane = robustPlaneAt({80.0, 20.0, 24.0}, points, 0.1);
-  ASSERT_TRUE(plane.valid);
-  EXPECT_NEAR(plane.offset, 0.0, 1e-6);
+  for (const double off : {3.0, 40.0, 100.0}) {
+    std::vector<WeightedPoint> points = tilted(0.3);
+    for (std::size_t i = 0; i < points.size(); i += 3)
+      points[i].position.z() += off;
+    const PlaneAt plane = robustPlaneAt({80.0, 20.0, 24.0}, points, 0.1);
+    ASSERT_TRUE(plane.valid);
+    EXPECT_NEAR(plane.offset, 0.0, 1e-6) << off;
+    EXPECT_NEAR(std::abs(plane.normal.z()), 1.0 / std::sqrt(1.09), 1e-6) << off;
+  }
 }
 
 TEST(RobustPlane, KnowsHowUnsureItIs) {

@@ -4,8 +4,8 @@
 
 namespace graben::test {
 
-/// Two level sheets of picks 10 apart, z = 0 for x < 0 and z = 40 for x > 0, and a vertical fault at
-/// x = 0 between them.
+/// Two level sheets of picks 10 apart, z = 0 for x < 0 and z = 40 for x > 0, and a vertical fault
+/// at x = 0 between them.
 struct TwoSheets {
   TwoSheets() {
     for (int i = -20; i < 20; ++i)

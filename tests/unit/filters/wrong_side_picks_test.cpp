@@ -73,6 +73,31 @@ TEST(WrongSidePicks, TellsASheetBeyondTwoFaults) {
   EXPECT_EQ(result.wrong_side + result.smeared, 1U);
 }
 
+TEST(WrongSidePicks, ANarrowWedgeGoesByItsMajority) {
+  test::TwoSheets sheets;
+  for (Vector3& p : sheets.points)
+    if (p.x() > 40.0)
+      p.z() = 80.0;
+  const FaultNetwork faults({test::TwoSheets::faultAt(0.0), test::TwoSheets::faultAt(40.0)});
+  const Index from_left = sheets.add(18.5, 3.0, 0.0);
+  const WrongSideResult result = search(sheets.points, faults);
+  EXPECT_EQ(reasonOf(result, from_left), PickReason::WrongSide);
+  EXPECT_EQ(result.wrong_side + result.smeared, 1U);
+}
+
+TEST(WrongSidePicks, SaysNothingAboutPicksBesideAFault) {
+  test::TwoSheets sheets;
+  TriangleMesh below = sheets.faults.fault(0).mesh; // reaches up to z = 22 only
+  for (Vector3& p : below.vertices)
+    p.z() = std::min(p.z(), 22.0);
+  const Index over = sheets.add(4.0, 3.0, 25.0);
+  const FaultNetwork stops_short({FaultSurface::fromMesh("F", below)});
+  const WrongSideResult result = search(sheets.points, stops_short);
+  EXPECT_EQ(reasonOf(result, over), PickReason::Good);
+  const WrongSideResult whole = search(sheets.points, sheets.faults);
+  EXPECT_EQ(reasonOf(whole, over), PickReason::Smeared) << "were it not for the border";
+}
+
 TEST(WrongSidePicks, FollowsDragTowardsTheFault) {
   test::TwoSheets sheets;
   for (Vector3& p : sheets.points) {
@@ -107,7 +132,7 @@ TEST(WrongSidePicks, SaysWhatItUsed) {
   EXPECT_EQ(result.judged, 8U * 41U);
 }
 
-TEST(WrongSidePicks, SameForAnyNumberOfThreadsAndOrderOfMagnitude) {
+TEST(WrongSidePicks, SameForAnyNumberOfThreads) {
   SyntheticOptions options = SyntheticOptions::of(SyntheticKind::Branch);
   options.picks = 10000;
   options.fault_shift = 60.0;

@@ -23,7 +23,8 @@ enum class FilterStatus {
  * setNegative inverts the choice among the others, setKeepOrganized sets removed points to
  * setUserFilterValue instead, getRemovedIndices is filled if asked for in the constructor. The
  * result is the same for any number of threads. An object serves one thread at a time. Faults and
- * lengths are in the frame and units of the cloud (local: float32 steps are 0.5 m at UTM northings).
+ * lengths are in the frame and units of the cloud (local: float32 steps are 0.5 m at UTM
+ * northings).
  */
 template <typename PointT>
 class FaultFilter : public pcl::FilterIndices<PointT> {

@@ -34,13 +34,13 @@ struct WrongSideOptions {
 /// What was found; arrays have one entry per point of the grid.
 struct WrongSideResult {
   std::vector<PickReason> reasons;
-  std::vector<Index> faults;    ///< fault that a flagged pick is on the wrong side of, or smeared
-                                ///< along; -1 for good picks
-  std::size_t wrong_side = 0;   ///< picks with that reason
-  std::size_t smeared = 0;      ///< picks with that reason
-  std::size_t judged = 0;       ///< finite picks within the band
+  std::vector<Index> faults;  ///< fault that a flagged pick is on the wrong side of, or smeared
+                              ///< along; -1 for good picks
+  std::size_t wrong_side = 0; ///< picks with that reason
+  std::size_t smeared = 0;    ///< picks with that reason
+  std::size_t judged = 0;     ///< finite picks within the band
   std::vector<std::size_t> flagged_by_fault; ///< flagged picks of each fault
-  WrongSideOptions used;        ///< the options with the estimates filled in
+  WrongSideOptions used;                     ///< the options with the estimates filled in
 };
 
 /// Finds picks on the wrong side of a fault, or between its two sheets, as they come from faults

@@ -20,8 +20,8 @@ std::vector<bool> FaultZone<PointT>::choose(const Points& points, const FaultNet
   constexpr double MEAN_DISTANCES = 5.0;
   used_width_ = width_;
   if (width_ == 0.0)
-    used_width_ =
-        MEAN_DISTANCES * meanPickDistance(NeighborGrid(points, 0.0, this->threads_), this->threads_);
+    used_width_ = MEAN_DISTANCES *
+                  meanPickDistance(NeighborGrid(points, 0.0, this->threads_), this->threads_);
   distances_ = distancesToFaults(points, faults, used_width_, nullptr, this->threads_);
   std::vector<bool> chosen;
   for (const double distance : distances_)
