@@ -24,6 +24,7 @@ namespace {
 
 constexpr std::size_t kCrumb = 20;
 constexpr int kUnfoldRounds = 4;
+const Vector3 kLatticeShift(0.2718281828, 0.3141592654, 0.1414213562); // of a voxel: keeps lattice vertices off faults given in round numbers
 constexpr double kOverhang = 0.6; // of a voxel: how far the surface reaches beyond the outermost picks
 
 void checkOptions(const ReconstructionOptions& o) {
@@ -198,7 +199,7 @@ private:
   /// The lattice stands still in the user's frame, so that neighbouring jobs of the same voxel size agree.
   Vector3 latticeOrigin() const {
     const double h = result_.report.used.voxel_size;
-    const Vector3 zero = result_.frame.toLocal(Vector3::Zero());
+    const Vector3 zero = result_.frame.toLocal(Vector3::Zero()) + h * kLatticeShift;
     return zero.unaryExpr([h](double x) { return x - h * std::floor(x / h); });
   }
 

@@ -70,7 +70,11 @@ std::string toJson(const ReconstructionReport& r, bool with_timings) {
   j["faults"] = Json::array();
   for (std::size_t f = 0; f < r.faults.size(); ++f)
     j["faults"].push_back(json(r.faults[f], f < r.seal.faults.size() ? &r.seal.faults[f] : nullptr));
-  j["extraction"] = {{"cells", r.cells}, {"rejected_by_flip_angle", r.rejected_by_flip_angle}, {"folds_removed", r.folds_removed}, {"bridges_removed", r.bridges_removed}, {"crumbs_removed", r.crumbs_removed}};
+  j["extraction"] = {{"cells", r.cells},
+                     {"rejected_by_flip_angle", r.rejected_by_flip_angle},
+                     {"folds_removed", r.folds_removed},
+                     {"bridges_removed", r.bridges_removed},
+                     {"crumbs_removed", r.crumbs_removed}};
   j["approximation_error"] = {{"zone_before_fit", json(r.zone_before_fit)},
                               {"zone_after_fit", json(r.zone_after_fit)},
                               {"all_picks", json(r.all_picks)}};

@@ -28,6 +28,7 @@ public:
   explicit Directions(const Vector3& normal) : u_(normal.unitOrthogonal()), w_(normal.cross(u_)) {}
   void add(const Vector3& d) { angles_.push_back(std::atan2(d.dot(w_), d.dot(u_))); }
   bool empty() const { return angles_.empty(); }
+  std::size_t size() const { return angles_.size(); }
   Vector3 at(double angle) const { return std::cos(angle) * u_ + std::sin(angle) * w_; }
   double widestGap() {
     if (angles_.empty())
@@ -89,11 +90,11 @@ bool SignedDistance::surrounded(const Vector3& foot, const Vector3& normal, Scra
 }
 
 bool SignedDistance::enclosed(const Vector3& place, const Vector3& normal, Scratch& scratch) const {
-  grid_.nearest(place, kEnclosingPicks, scratch.candidates, options_.fault_reach);
+  grid_.nearest(place, 4 * kEnclosingPicks, scratch.candidates, options_.fault_reach);
   Directions directions(normal);
   for (const Neighbor& c : scratch.candidates) {
     const Vector3& pick = grid_.points()[static_cast<std::size_t>(c.index)];
-    if (sameSide(faults_, pick, place))
+    if (directions.size() < kEnclosingPicks && sameSide(faults_, pick, place))
       directions.add(pick - place);
   }
   if (directions.empty())
