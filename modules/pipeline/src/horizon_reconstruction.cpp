@@ -205,7 +205,7 @@ private:
 
   void cut(const SheetMesh& sheets) {
     FaultCutOptions o;
-    o.tolerance = 0.02 * result_.report.used.voxel_size;
+    o.tolerance = 0.1 * result_.report.used.voxel_size;
     o.threads = options_.threads;
     cut_ = cutSheets(sheets, *faults_, o);
     result_.report.crumbs_removed = removeCrumbs(cut_, kCrumb);
@@ -244,9 +244,13 @@ private:
   void tidy() {
     if (cut_.mesh.empty())
       return;
-    for (int round = 0; round < kUnfoldRounds; ++round)
-      relaxTriangles(cut_, foldedTriangles(cut_.mesh));
-    result_.report.folds_removed = remove(foldedTriangles(cut_.mesh));
+    for (int round = 0; round < kUnfoldRounds; ++round) {
+      computeVertexNormals(cut_.mesh, options_.threads);
+      relaxTriangles(cut_, turnedTriangles(cut_, false));
+    }
+    computeVertexNormals(cut_.mesh, options_.threads);
+    result_.report.folds_removed = remove(turnedTriangles(cut_, true));
+    result_.report.folds_removed += remove(foldedTriangles(cut_.mesh));
     const double tolerance = 0.01 * result_.report.used.voxel_size;
     if (!faults_->empty())
       result_.report.bridges_removed = remove(bridgingTriangles(cut_.mesh, *faults_, tolerance, options_.threads));
