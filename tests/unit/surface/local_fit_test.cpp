@@ -73,7 +73,8 @@ TEST(LocalFit, QuadricsAreExactOnQuadricsAndPlanesOnPlanes) {
   LocalFit::Scratch scratch;
   const Vector3 at(1.3, 2.2, bowl(1.3, 2.2) + 0.1);
   const Vector3 up = Vector3::UnitZ();
-  const LocalEstimate exact = field.fit().at(at, at, up, {2, 40}, scratch);
+  const Index own = field.grid.nearestOne(at).index;
+  const LocalEstimate exact = field.fit().at(at, at, up, {2, 40}, scratch, own);
   ASSERT_TRUE(exact.valid);
   EXPECT_NEAR(exact.offset, -0.1, 1e-4);
   EXPECT_LT(
