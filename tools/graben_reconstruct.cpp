@@ -26,6 +26,8 @@ void say(const ReconstructionResult& result) {
   const ReconstructionReport& r = result.report;
   std::printf("picks      %zu (spacing %.4g, rho %.4g, delta %.4g, noise %.3g), z grows %s\n", r.picks, r.sampling.spacing, r.used.rho, r.used.delta,
               r.sampling.sigma, r.used.z_positive.c_str());
+  if (r.wrong_side_picks + r.smeared_picks > 0)
+    std::printf("set aside  %zu picks on the wrong side of a fault, %zu smeared along one\n", r.wrong_side_picks, r.smeared_picks);
   std::printf("surface    %zu triangles in %zu pieces, voxel size %.4g\n", r.topology.triangles, r.topology.components, r.used.voxel_size);
   std::printf("picks      RMS distance %.4g, 95 %% within %.4g\n", r.all_picks.rms, r.all_picks.p95);
   for (const FaultReport& f : r.faults)

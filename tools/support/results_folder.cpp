@@ -1,5 +1,6 @@
 #include "support/results_folder.h"
 
+#include "graben/analysis/cutoff_lines.h"
 #include "graben/core/errors.h"
 #include "graben/io/atomic_file.h"
 #include "graben/io/mesh_writer.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 namespace graben {
 
@@ -54,6 +56,17 @@ void writeFaults(const fs::path& dir, const ReconstructionResult& result) {
   for (std::size_t f = 0; f < result.faults.size(); ++f) {
     const std::string name = "fault_" + std::to_string(f + 1) + "_" + fileName(result.faults[f].name);
     writeMesh((dir / (name + ".ts")).string(), result.faults[f].mesh, meshOptions(result, result.faults[f].name));
+  }
+}
+
+/// Where the pieces meet the faults, one polyline for each run of border, a file per fault.
+void writeCutoffs(const fs::path& dir, const ReconstructionResult& result) {
+  std::map<Index, std::vector<FaultStick>> lines;
+  for (CutoffLine& line : cutoffLines(result.mesh, result.vertex_faults))
+    lines[line.fault].push_back({std::move(line.points)});
+  for (const auto& [fault, polylines] : lines) {
+    const std::string name = fileName(result.faults[static_cast<std::size_t>(fault)].name);
+    writePol((dir / ("cutoffs_" + std::to_string(fault + 1) + "_" + name + ".pol")).string(), polylines);
   }
 }
 
@@ -146,6 +159,7 @@ std::vector<std::string> writeOutputs(const OptionValues& values, const HorizonI
   writeMesh((dir / "surface.vtk").string(), local, meshOptions(result, "surface"));
   writePieces(dir, result);
   writeFaults(dir, result);
+  writeCutoffs(dir, result);
   writePicks(dir, input, result);
   writeText(dir / "report.json", toJson(result.report));
   const std::vector<std::string> pictures = drawPictures(dir, input, result);

@@ -118,6 +118,7 @@ private:
     used.fault_reach = options_.fault_reach > 0.0 ? options_.fault_reach : std::max(6.0 * mean_distance_, 2.0 * rhoPlusDelta());
     used.flip_angle = options_.flip_angle;
     used.neighbors = options_.neighbors;
+    used.origin = result_.frame.origin;
     used.z_scale = options_.z_scale;
     used.fit = options_.fit == FitMode::Full ? "full" : options_.fit == FitMode::Normal ? "normal" : "off";
     used.orientation = options_.orientation == OrientationMethod::SpanningTree ? "mst" : "up";

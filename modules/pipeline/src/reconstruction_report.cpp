@@ -11,9 +11,18 @@ using Json = nlohmann::ordered_json;
 Json json(const Sampling& s) { return {{"spacing", s.spacing}, {"rho", s.rho}, {"delta", s.delta}, {"sigma", s.sigma}}; }
 
 Json json(const UsedParameters& u) {
-  return {{"voxel_size", u.voxel_size}, {"rho", u.rho},           {"delta", u.delta},         {"zone_width", u.zone_width},
-          {"fault_reach", u.fault_reach}, {"flip_angle", u.flip_angle}, {"neighbors", u.neighbors}, {"z_scale", u.z_scale},
-          {"fit", u.fit},               {"orientation", u.orientation}, {"z_positive", u.z_positive}};
+  return {{"voxel_size", u.voxel_size},
+          {"rho", u.rho},
+          {"delta", u.delta},
+          {"zone_width", u.zone_width},
+          {"fault_reach", u.fault_reach},
+          {"flip_angle", u.flip_angle},
+          {"neighbors", u.neighbors},
+          {"origin", {u.origin.x(), u.origin.y(), u.origin.z()}},
+          {"z_scale", u.z_scale},
+          {"fit", u.fit},
+          {"orientation", u.orientation},
+          {"z_positive", u.z_positive}};
 }
 
 Json json(const DistanceStatistics& d) {

@@ -27,6 +27,7 @@ struct UsedParameters {
   double fault_reach = 0.0;
   double flip_angle = 0.0;
   std::size_t neighbors = 0;
+  Vector3 origin = Vector3::Zero(); ///< of the local frame, in the user's
   double z_scale = 1.0;
   std::string fit;
   std::string orientation;

@@ -1,0 +1,68 @@
+#include "graben/analysis/cutoff_lines.h"
+
+#include "graben/core/errors.h"
+#include "graben/mesh/adjacency.h"
+
+#include <map>
+
+namespace graben {
+
+namespace {
+
+using BorderEdges = std::map<Index, std::pair<Index, bool>>; ///< start -> end, and whether it was taken
+
+bool lieOn(const std::array<Index, 2>& a, const std::array<Index, 2>& b, Index fault) {
+  return (a[0] == fault || a[1] == fault) && (b[0] == fault || b[1] == fault);
+}
+
+/// Border edges on each fault; at a vertex where two borders touch the later edge is left to a line of its own.
+std::map<Index, BorderEdges> edgesByFault(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults) {
+  const EdgeAdjacency adjacency(mesh);
+  std::map<Index, BorderEdges> edges;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t e = 0; e < 3; ++e) {
+      if (!adjacency.isBorder(static_cast<Index>(3 * t + e)))
+        continue;
+      const Index a = mesh.triangles[t][e];
+      const Index b = mesh.triangles[t][(e + 1) % 3];
+      const auto& on_a = vertex_faults[static_cast<std::size_t>(a)];
+      for (const Index fault : on_a)
+        if (fault >= 0 && lieOn(on_a, vertex_faults[static_cast<std::size_t>(b)], fault))
+          edges[fault].emplace(a, std::make_pair(b, false));
+    }
+  return edges;
+}
+
+CutoffLine follow(const TriangleMesh& mesh, Index fault, BorderEdges& edges, Index start) {
+  CutoffLine line;
+  line.fault = fault;
+  line.piece = mesh.piece.empty() ? -1 : mesh.piece[static_cast<std::size_t>(start)];
+  line.points.push_back(mesh.vertices[static_cast<std::size_t>(start)]);
+  for (auto edge = edges.find(start); edge != edges.end() && !edge->second.second; edge = edges.find(edge->second.first)) {
+    edge->second.second = true;
+    line.points.push_back(mesh.vertices[static_cast<std::size_t>(edge->second.first)]);
+  }
+  return line;
+}
+
+} // namespace
+
+std::vector<CutoffLine> cutoffLines(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults) {
+  if (vertex_faults.size() != mesh.vertices.size())
+    throw InvalidInputError("cutoff lines", "there must be one entry of faults per vertex");
+  std::vector<CutoffLine> lines;
+  for (auto& [fault, edges] : edgesByFault(mesh, vertex_faults)) {
+    std::map<Index, bool> has_predecessor;
+    for (const auto& edge : edges)
+      has_predecessor[edge.second.first] = true;
+    for (const auto& edge : edges)
+      if (has_predecessor.count(edge.first) == 0)
+        lines.push_back(follow(mesh, fault, edges, edge.first));
+    for (const auto& edge : edges) // what is left are closed lines
+      if (!edge.second.second)
+        lines.push_back(follow(mesh, fault, edges, edge.first));
+  }
+  return lines;
+}
+
+} // namespace graben
