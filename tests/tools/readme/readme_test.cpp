@@ -62,7 +62,7 @@ TEST_F(Readme, CommandsRunAsPrinted) {
        {"top.ply", "top.vtp", "figures.json", "map.png", "section.png", "picks.ply"})
     EXPECT_TRUE(fs::exists(path(file))) << file;
   for (const char* file : {"surface.ply", "surface.vtk", "piece_1.ts", "fault_1_fault_1.ts",
-                           "picks.pcd", "report.json"}) {
+                           "cutoffs_1_fault_1.pol", "picks.pcd", "report.json"}) {
     EXPECT_TRUE(fs::exists(path("results/" + std::string(file)))) << file;
   }
 }
