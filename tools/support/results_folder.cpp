@@ -34,18 +34,25 @@ std::string fileName(std::string name) {
 
 std::string pieceFile(std::size_t number) { return "piece_" + std::to_string(number) + ".ts"; }
 
-/// Pieces a former run left that this one will not replace.
-void removeFormerPieces(const fs::path& dir, std::size_t pieces) {
+/// Removes the numbered files of a former run, as there may be more of them than this run writes.
+void removeFormerRun(const fs::path& dir) {
   if (!fs::exists(dir / "report.json"))
     return;
-  std::error_code error;
-  for (std::size_t i = pieces + 1; fs::remove(dir / pieceFile(i), error); ++i) {
+  std::vector<fs::path> former;
+  for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
+    const std::string name = entry.path().filename().string();
+    for (const char* prefix : {"piece_", "fault_", "cutoffs_"})
+      if (name.rfind(prefix, 0) == 0 && (entry.path().extension() == ".ts" || entry.path().extension() == ".pol"))
+        former.push_back(entry.path());
   }
+  std::error_code error;
+  for (const fs::path& file : former)
+    fs::remove(file, error);
 }
 
 void writePieces(const fs::path& dir, const ReconstructionResult& result) {
   const std::vector<TriangleMesh> pieces = splitComponents(result.mesh, connectedComponents(result.mesh));
-  removeFormerPieces(dir, pieces.size());
+  removeFormerRun(dir);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const fs::path file = dir / pieceFile(i + 1);
     writeMesh(file.string(), pieces[i], meshOptions(result, file.stem().string()));
