@@ -247,7 +247,8 @@ private:
       return;
     for (int round = 0; round < kUnfoldRounds; ++round) {
       computeVertexNormals(cut_.mesh, options_.threads);
-      relaxTriangles(cut_, turnedTriangles(cut_, false));
+      relaxTriangles(cut_, turnedTriangles(cut_, true));
+      relaxTriangles(cut_, foldedTriangles(cut_.mesh));
     }
     computeVertexNormals(cut_.mesh, options_.threads);
     result_.report.folds_removed = remove(turnedTriangles(cut_, true));

@@ -2,6 +2,7 @@
 
 #include "graben/core/errors.h"
 #include "graben/features/sampling.h"
+#include "graben/filters/wrong_side_picks.h"
 #include "graben/mesh/bounds.h"
 #include "graben/mesh/normals.h"
 #include "graben/surface/crumbs.h"
@@ -127,6 +128,18 @@ ExtractionOptions extractionOptions(double h, const HoppeSurfaceOptions& options
   return o;
 }
 
+/// Picks on the wrong side of a fault would carry their sheet on through it: they get no plane.
+void setWrongSideAside(const NeighborGrid& grid, const FaultNetwork& faults, unsigned threads, TangentPlanes& planes) {
+  if (faults.empty())
+    return;
+  WrongSideOptions o;
+  o.threads = threads;
+  const WrongSideResult found = findWrongSidePicks(grid, faults, o);
+  for (std::size_t i = 0; i < planes.normals.size(); ++i)
+    if (found.reasons[i] != PickReason::Good)
+      planes.normals[i].setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
 } // namespace
 
 HoppeSurface hoppeSurface(const Points& points, const Points& normals, const FaultNetwork& faults,
@@ -142,6 +155,7 @@ HoppeSurface hoppeSurface(const Points& points, const Points& normals, const Fau
   TangentPlanes planes;
   planes.centres = points;
   planes.normals = normals;
+  setWrongSideAside(grid, faults, options.threads, planes);
   const SignedDistance field(grid, planes, faults,
                              fieldOptions(grid, boundary, h, options, !faults.empty()));
   const SheetMesh sheets = extractSheets(field, extractionOptions(h, options));

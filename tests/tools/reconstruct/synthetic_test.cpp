@@ -8,7 +8,7 @@ struct Limits {
   std::string kind;
   std::size_t faults = 1;
   std::size_t pieces = 2;
-  double cutoffs = 0.0; ///< RMS distance of the cutoff lines to the border, in sigma
+  double cutoffs = 0.0; ///< RMS distance of the cutoff lines to the border, in sigma; most of it comes from the corners where a fault leaves the data
 };
 
 void PrintTo(const Limits& limits, std::ostream* out) {
@@ -44,7 +44,7 @@ TEST_P(ReconstructSynthetic, EndToEndFromSurfacesAndFromSticks) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ReconstructSynthetic,
-                         testing::Values(Limits{"normal", 1, 2, 4.0}, Limits{"tip", 1, 1, 2.0},
+                         testing::Values(Limits{"normal", 1, 2, 4.0}, Limits{"tip", 1, 1, 3.0},
                                          Limits{"reverse", 1, 2, 2.0}, Limits{"branch", 2, 3, 4.0}),
                          [](const auto& test) { return test.param.kind; });
 

@@ -12,7 +12,8 @@ struct DataBorderOptions {
 /// Trims the ragged steps in which whole cells end at the edge of the data: the surface ends at the given distance from the outermost picks.
 ///
 /// Every place with picks all round, or enclosed by picks and faults (see SignedDistanceOptions::fault_reach), stays.
-/// Triangles are split where the distance passes the limit. Only triangles within a few rings of the mesh's border are looked at; O(triangles) to find them. Deterministic for any number of threads.
+/// Triangles are split where the distance passes the limit. Only triangles within a few rings of the mesh's border are looked
+/// at; O(triangles) to find them. Deterministic for any number of threads.
 void trimToData(SheetMesh& sheets, const SignedDistance& field, const DataBorderOptions& options);
 
 } // namespace graben
