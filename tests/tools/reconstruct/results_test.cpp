@@ -69,7 +69,7 @@ TEST_F(ReconstructResults, WithoutADisplaySaysSoAndWritesTheRest) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.errors, HasSubstr("note: No pictures: "));
   EXPECT_EQ(names("r"),
-            (std::set<std::string>{"fault_1_fault_1.ts", "picks.pcd", "piece_1.ts", "piece_2.ts",
+            (std::set<std::string>{"cutoffs_1_fault_1.pol", "fault_1_fault_1.ts", "picks.pcd", "piece_1.ts", "piece_2.ts",
                                    "report.json", "surface.ply", "surface.vtk"}));
 }
 
