@@ -5,7 +5,7 @@
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 #include "graben/filters/fault_distance.h"
-#include "graben/filters/mean_distance.h"
+#include "graben/features/mean_distance.h"
 
 #include <algorithm>
 #include <cmath>

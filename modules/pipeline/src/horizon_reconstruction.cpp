@@ -8,6 +8,7 @@
 #include "graben/analysis/flipped_triangles.h"
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
+#include "graben/features/mean_distance.h"
 #include "graben/mesh/components.h"
 #include "graben/mesh/normals.h"
 #include "graben/surface/crumbs.h"
@@ -38,33 +39,6 @@ void checkOptions(const ReconstructionOptions& o) {
   check(o.neighbors >= 3, "a tangent plane needs at least 3 neighbors");
   check(o.flip_angle >= 0.0 && o.flip_angle <= 180.0, "the flip angle must lie between 0 and 180 degrees");
   check(std::isfinite(o.z_scale) && o.z_scale > 0.0, "the z scale must be a positive number");
-}
-
-/// Mean distance between distinct picks where they are dense: from the area that the eight nearest cover.
-double meanDistance(const NeighborGrid& grid, unsigned threads) {
-  constexpr std::size_t k = 9;
-  const std::vector<Index>& order = grid.order();
-  const std::size_t step = std::max<std::size_t>(1, order.size() / 20000);
-  std::vector<double> distances((order.size() + step - 1) / step, 0.0);
-  parallelBlocks(distances.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<Neighbor> near;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vector3& p = grid.points()[static_cast<std::size_t>(order[i * step])];
-      grid.nearest(p, k, near);
-      std::size_t copies = 0;
-      while (copies < near.size() && near[copies].squared_distance == 0.0)
-        ++copies;
-      const double distinct = static_cast<double>(near.size() - copies) / static_cast<double>(std::max<std::size_t>(copies, 1));
-      if (distinct > 0.0)
-        distances[i] = std::sqrt(near.back().squared_distance * M_PI / distinct);
-    }
-  });
-  distances.erase(std::remove(distances.begin(), distances.end(), 0.0), distances.end());
-  if (distances.empty())
-    return 0.0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
 }
 
 /// One run: the state that the stages hand on.
@@ -112,7 +86,7 @@ private:
     UsedParameters& used = report.used;
     used.rho = options_.rho > 0.0 ? options_.rho : report.sampling.rho;
     used.delta = options_.delta > 0.0 ? options_.delta : report.sampling.delta;
-    mean_distance_ = meanDistance(grid_, options_.threads);
+    mean_distance_ = meanPickDistance(grid_, options_.threads);
     used.voxel_size = options_.voxel_size > 0.0 ? options_.voxel_size : mean_distance_;
     used.zone_width = options_.zone_width > 0.0 ? options_.zone_width : 5.0 * used.voxel_size;
     used.fault_reach = options_.fault_reach > 0.0 ? options_.fault_reach : std::max(6.0 * mean_distance_, 2.0 * rhoPlusDelta());

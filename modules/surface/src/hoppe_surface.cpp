@@ -8,7 +8,7 @@
 #include "graben/surface/crumbs.h"
 #include "graben/surface/fault_cut.h"
 #include "graben/surface/sheet_extraction.h"
-#include "graben/surface/voxel_size.h"
+#include "graben/features/mean_distance.h"
 
 #include <unistd.h>
 
@@ -60,7 +60,7 @@ double voxelSize(const NeighborGrid& grid, const Bounds& box, const HoppeSurface
     if (options.resolution[static_cast<std::size_t>(axis)] > 0)
       h = std::max(h, box.size()[axis] / options.resolution[static_cast<std::size_t>(axis)]);
   if (h == 0.0)
-    h = estimateVoxelSize(grid, options.threads);
+    h = meanPickDistance(grid, options.threads);
   check(h > 0.0 && std::isfinite(h), "No voxel size can be found; set one.");
   return h;
 }
@@ -109,7 +109,7 @@ SignedDistanceOptions fieldOptions(const NeighborGrid& grid, double boundary, do
   o.overhang = options.distance_limit > 0.0 ? boundary : h;
   o.fault_reach = options.fault_reach;
   if (o.fault_reach == 0.0 && faulted)
-    o.fault_reach = std::max(6.0 * estimateVoxelSize(grid, options.threads), 2.0 * boundary);
+    o.fault_reach = std::max(6.0 * meanPickDistance(grid, options.threads), 2.0 * boundary);
   // Values are asked for within a cell's diagonal of the surface, which lies the iso level away.
   o.voxel_size = h + std::abs(options.iso_level) / std::sqrt(3.0);
   o.blend = std::max<std::size_t>(1, options.blend);

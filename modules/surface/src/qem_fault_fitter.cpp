@@ -4,7 +4,7 @@
 #include "graben/core/threads.h"
 #include "graben/features/sampling.h"
 #include "graben/mesh/adjacency.h"
-#include "graben/surface/voxel_size.h"
+#include "graben/features/mean_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +75,7 @@ void readCloud(const QEMFaultFitter::Cloud& cloud, TangentPlanes& planes) {
 double searchRadius(const NeighborGrid& grid, unsigned threads) {
   const Sampling sampling = estimateSampling(grid, threads);
   const double boundary = sampling.rho + sampling.delta;
-  return std::max(6.0 * estimateVoxelSize(grid, threads), 2.0 * boundary) + 2.0 * boundary;
+  return std::max(6.0 * meanPickDistance(grid, threads), 2.0 * boundary) + 2.0 * boundary;
 }
 
 } // namespace

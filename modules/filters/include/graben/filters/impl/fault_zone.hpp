@@ -3,7 +3,7 @@
 #include "graben/filters/fault_distance.h"
 #include "graben/filters/fault_zone.h"
 #include "graben/filters/impl/fault_filter.hpp"
-#include "graben/filters/mean_distance.h"
+#include "graben/features/mean_distance.h"
 
 #include <cmath>
 
