@@ -1,5 +1,7 @@
 #include "graben/pipeline/reconstruction_report.h"
 
+#include "graben/analysis/report_json.h"
+
 #include <nlohmann/json.hpp>
 
 namespace graben {
@@ -25,39 +27,6 @@ Json json(const UsedParameters& u) {
           {"z_positive", u.z_positive}};
 }
 
-Json json(const DistanceStatistics& d) {
-  return {{"count", d.count}, {"mean_square", d.mean_square}, {"rms", d.rms}, {"mean", d.mean},
-          {"p50", d.p50},     {"p95", d.p95},                 {"max", d.max}};
-}
-
-Json json(const TopologyReport& t) {
-  return {{"vertices", t.vertices},
-          {"triangles", t.triangles},
-          {"unreferenced_vertices", t.unreferenced_vertices},
-          {"non_manifold_edges", t.non_manifold_edges},
-          {"inconsistent_edges", t.inconsistent_edges},
-          {"non_manifold_vertices", t.non_manifold_vertices},
-          {"duplicate_triangles", t.duplicate_triangles},
-          {"degenerate_triangles", t.degenerate_triangles},
-          {"pieces", t.components},
-          {"crumbs", t.crumbs},
-          {"border_edges", t.border_edges},
-          {"border_loops", t.border_loops}};
-}
-
-Json json(const TriangleQuality& q) {
-  return {{"smallest_angle_min", q.smallest_angle_min},
-          {"smallest_angle_p1", q.smallest_angle_p1},
-          {"smallest_angle_median", q.smallest_angle_median},
-          {"share_below_10_degrees", q.share_below_10_degrees},
-          {"edge_length_median", q.edge_length_median},
-          {"aspect_ratio_p99", q.aspect_ratio_p99}};
-}
-
-Json json(const FaultSeal& s) {
-  return {{"border_vertices", s.vertices}, {"on_fault", s.on_fault}, {"share", s.share}, {"p50", s.p50}, {"p95", s.p95}, {"max", s.max}};
-}
-
 Json json(const FaultReport& f, const FaultSeal* seal) {
   Json j = {{"name", f.name}, {"triangles", f.triangles}, {"cut_vertices", f.cut_vertices}};
   if (!f.branches_off.empty()) {
@@ -65,7 +34,7 @@ Json json(const FaultReport& f, const FaultSeal* seal) {
     j["branch_gap"] = f.branch_gap;
   }
   if (seal != nullptr)
-    j["seal"] = json(*seal);
+    j["seal"] = toJson<Json>(*seal);
   return j;
 }
 
@@ -84,12 +53,12 @@ std::string toJson(const ReconstructionReport& r, bool with_timings) {
                      {"folds_removed", r.folds_removed},
                      {"bridges_removed", r.bridges_removed},
                      {"crumbs_removed", r.crumbs_removed}};
-  j["approximation_error"] = {{"zone_before_fit", json(r.zone_before_fit)},
-                              {"zone_after_fit", json(r.zone_after_fit)},
-                              {"all_picks", json(r.all_picks)}};
-  j["topology"] = json(r.topology);
-  j["quality"] = json(r.quality);
-  j["seal"] = json(r.seal.all);
+  j["approximation_error"] = {{"zone_before_fit", toJson<Json>(r.zone_before_fit)},
+                              {"zone_after_fit", toJson<Json>(r.zone_after_fit)},
+                              {"all_picks", toJson<Json>(r.all_picks)}};
+  j["topology"] = toJson<Json>(r.topology);
+  j["quality"] = toJson<Json>(r.quality);
+  j["seal"] = toJson<Json>(r.seal.all);
   j["bridging_triangles"] = r.bridging_triangles;
   j["warnings"] = r.warnings;
   if (with_timings) {
