@@ -1,22 +1,16 @@
 #include "support/horizon_options.h"
 
+#include "graben/core/memory.h"
 #include "graben/io/fault_reader.h"
 #include "graben/io/pick_reader.h"
 
 #include <cmath>
-#include <unistd.h>
 
 namespace graben {
 
 namespace {
 
 constexpr double kHuge = 1e12;
-
-std::size_t memoryOfMachine() {
-  const long pages = sysconf(_SC_PHYS_PAGES);
-  const long size = sysconf(_SC_PAGE_SIZE);
-  return pages > 0 && size > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(size) : 0;
-}
 
 FaultGeometry geometryOf(FaultInput&& input) { return {std::move(input.name), std::move(input.geometry), input.z_positive}; }
 
@@ -81,7 +75,7 @@ ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositiv
   if (o.z_positive == ZPositive::Unknown)
     o.z_positive = z_positive;
   o.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
-  o.memory_limit = memoryOfMachine() / 4 * 3;
+  o.memory_limit = defaultMemoryLimit();
   return o;
 }
 

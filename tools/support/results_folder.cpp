@@ -88,7 +88,7 @@ void writePicks(const fs::path& dir, const HorizonInput& input, const Reconstruc
   writePcd((dir / "picks.pcd").string(), cloud);
 }
 
-std::vector<std::string> drawPictures(const fs::path& dir, const HorizonInput& input, const ReconstructionResult& result) {
+std::vector<std::string> drawPictures(const fs::path& dir, const ReconstructionResult& result) {
   const Offscreen screen;
   if (!screen.available())
     return {"No pictures: " + screen.reason()};
@@ -105,7 +105,6 @@ std::vector<std::string> drawPictures(const fs::path& dir, const HorizonInput& i
   o.view = View::map();
   o.color_by = ColorBy::Piece;
   renderSurface(screen, (dir / "pieces.png").string(), scene, o);
-  (void)input;
   return {};
 }
 
@@ -169,7 +168,7 @@ std::vector<std::string> writeOutputs(const OptionValues& values, const HorizonI
   writeCutoffs(dir, result);
   writePicks(dir, input, result);
   writeText(dir / "report.json", toJson(result.report));
-  const std::vector<std::string> pictures = drawPictures(dir, input, result);
+  const std::vector<std::string> pictures = drawPictures(dir, result);
   notes.insert(notes.end(), pictures.begin(), pictures.end());
   return notes;
 }

@@ -9,8 +9,6 @@ namespace graben {
 
 namespace {
 
-constexpr double kOnFault = 0.01; // of a voxel
-
 void evaluateFaults(const CutMesh& cut, const FaultNetwork& faults, unsigned threads, ReconstructionReport& report) {
   const double tolerance = kOnFault * report.used.voxel_size;
   report.bridging_triangles = bridgingTriangles(cut.mesh, faults, tolerance, threads).size();
@@ -42,33 +40,33 @@ void evaluateFaults(const CutMesh& cut, const FaultNetwork& faults, unsigned thr
   }
 }
 
+std::vector<Index> piecesOfPicks(const TriangleMesh& mesh, const TriangleBvh& bvh, const Points& picks, double reach, unsigned threads) {
+  std::vector<Index> pieces(picks.size(), -1);
+  parallelFor(picks.size(), 256, threads, [&](std::size_t p) {
+    const MeshPoint hit = bvh.nearest(picks[p], reach);
+    if (hit.triangle >= 0)
+      pieces[p] = mesh.piece[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(hit.triangle)][0])];
+  });
+  return pieces;
+}
+
 } // namespace
 
-void evaluate(const CutMesh& cut, const FaultNetwork& faults, const Points& picks, const std::vector<Index>& zone, unsigned threads,
-              ReconstructionReport& report) {
+std::vector<Index> evaluate(const CutMesh& cut, const FaultNetwork& faults, const Points& picks, const std::vector<Index>& zone,
+                            unsigned threads, ReconstructionReport& report) {
+  std::vector<Index> pieces(picks.size(), -1);
   report.topology = checkTopology(cut.mesh);
   report.quality = triangleQuality(cut.mesh, threads);
   if (!cut.mesh.empty()) {
     const TriangleBvh bvh(cut.mesh);
     report.all_picks = approximationError(bvh, picks, threads);
     report.zone_after_fit = approximationError(bvh, picks, zone, threads);
+    pieces = piecesOfPicks(cut.mesh, bvh, picks, report.used.fault_reach, threads);
   }
   if (!faults.empty())
     evaluateFaults(cut, faults, threads, report);
   if (!report.topology.ok())
     report.warnings.push_back("The mesh has topological faults; see topology in the report.");
-}
-
-std::vector<Index> piecesOfPicks(const CutMesh& cut, const Points& picks, double reach, unsigned threads) {
-  std::vector<Index> pieces(picks.size(), -1);
-  if (cut.mesh.empty())
-    return pieces;
-  const TriangleBvh bvh(cut.mesh);
-  parallelFor(picks.size(), 256, threads, [&](std::size_t p) {
-    const MeshPoint hit = bvh.nearest(picks[p], reach);
-    if (hit.triangle >= 0)
-      pieces[p] = cut.mesh.piece[static_cast<std::size_t>(cut.mesh.triangles[static_cast<std::size_t>(hit.triangle)][0])];
-  });
   return pieces;
 }
 

@@ -6,11 +6,12 @@
 
 namespace graben {
 
-/// Fills in the figures of the finished local mesh.
-void evaluate(const CutMesh& cut, const FaultNetwork& faults, const Points& picks, const std::vector<Index>& zone, unsigned threads,
-              ReconstructionReport& report);
+/// A vertex this near to a fault lies on it; in voxels. Where bridges are looked for to remove them and to count them it must be the same.
+constexpr double kOnFault = 0.01;
 
-/// The piece nearest to each pick, -1 where none is within \a reach.
-std::vector<Index> piecesOfPicks(const CutMesh& cut, const Points& picks, double reach, unsigned threads);
+/// Fills in the figures of the finished local mesh, which must have piece labels.
+/// \return the piece nearest to each pick, -1 where none is within the report's fault reach
+std::vector<Index> evaluate(const CutMesh& cut, const FaultNetwork& faults, const Points& picks, const std::vector<Index>& zone,
+                            unsigned threads, ReconstructionReport& report);
 
 } // namespace graben

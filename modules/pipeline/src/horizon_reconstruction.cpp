@@ -227,7 +227,7 @@ private:
     computeVertexNormals(cut_.mesh, options_.threads);
     result_.report.folds_removed = remove(turnedTriangles(cut_, true));
     result_.report.folds_removed += remove(foldedTriangles(cut_.mesh));
-    const double tolerance = 0.01 * result_.report.used.voxel_size;
+    const double tolerance = kOnFault * result_.report.used.voxel_size;
     if (!faults_->empty())
       result_.report.bridges_removed = remove(bridgingTriangles(cut_.mesh, *faults_, tolerance, options_.threads));
   }
@@ -244,8 +244,7 @@ private:
     tidy();
     computeVertexNormals(cut_.mesh, options_.threads);
     labelPieces(cut_.mesh);
-    evaluate(cut_, *faults_, points_, zone_, options_.threads, result_.report);
-    result_.pick_piece = piecesOfPicks(cut_, points_, result_.report.used.fault_reach, options_.threads);
+    result_.pick_piece = evaluate(cut_, *faults_, points_, zone_, options_.threads, result_.report);
     result_.pick_normals = planes_.normals;
     for (Vector3& n : result_.pick_normals)
       n = result_.frame.normalToUser(n);

@@ -1,5 +1,7 @@
 #include "graben/surface/data_border.h"
 
+#include "vertex_moves.h"
+
 #include "graben/core/threads.h"
 #include "graben/mesh/adjacency.h"
 #include "graben/mesh/normals.h"
@@ -49,18 +51,11 @@ private:
           in_belt_[static_cast<std::size_t>(mesh_.triangles[t][e])] = 1;
           in_belt_[static_cast<std::size_t>(mesh_.triangles[t][(e + 1) % 3])] = 1;
         }
-    for (int ring = 0; ring < kRings; ++ring) {
-      const std::vector<std::uint8_t> before = in_belt_;
-      for (const Triangle& t : mesh_.triangles)
-        if (before[static_cast<std::size_t>(t[0])] + before[static_cast<std::size_t>(t[1])] + before[static_cast<std::size_t>(t[2])] > 0)
-          for (const Index v : t)
-            in_belt_[static_cast<std::size_t>(v)] = 1;
-    }
+    growRings(mesh_.triangles, kRings, in_belt_);
   }
 
   void measure() {
-    TriangleMesh normals = mesh_;
-    computeVertexNormals(normals, options_.threads);
+    computeVertexNormals(mesh_, options_.threads);
     std::vector<Index> home(mesh_.vertices.size(), -1);
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       for (const Index v : mesh_.triangles[t])
@@ -73,9 +68,10 @@ private:
         if (in_belt_[v] == 0)
           continue;
         const Vector3& viewpoint = home[v] < 0 ? mesh_.vertices[v] : sheets_.homes[static_cast<std::size_t>(home[v])].front();
-        beyond_[v] = field_.distanceBeyond(mesh_.vertices[v], viewpoint, normals.normals[v], options_.overhang, scratch);
+        beyond_[v] = field_.distanceBeyond(mesh_.vertices[v], viewpoint, mesh_.normals[v], options_.overhang, scratch);
       }
     });
+    mesh_.normals.clear();
   }
 
   Index crossing(Index in, Index out) {

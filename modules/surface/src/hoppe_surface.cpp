@@ -1,6 +1,8 @@
 #include "graben/surface/hoppe_surface.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/memory.h"
+#include "graben/features/mean_distance.h"
 #include "graben/features/sampling.h"
 #include "graben/filters/wrong_side_picks.h"
 #include "graben/mesh/bounds.h"
@@ -8,9 +10,6 @@
 #include "graben/surface/crumbs.h"
 #include "graben/surface/fault_cut.h"
 #include "graben/surface/sheet_extraction.h"
-#include "graben/features/mean_distance.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,16 +64,6 @@ double voxelSize(const NeighborGrid& grid, const Bounds& box, const HoppeSurface
   return h;
 }
 
-std::size_t memoryLimit(const HoppeSurfaceOptions& options) {
-  if (options.memory_limit > 0)
-    return options.memory_limit;
-  const long pages = sysconf(_SC_PHYS_PAGES);
-  const long page = sysconf(_SC_PAGESIZE);
-  return pages > 0 && page > 0
-             ? static_cast<std::size_t>(pages) / 4 * 3 * static_cast<std::size_t>(page)
-             : 0;
-}
-
 void dropOutside(CutMesh& cut, const Bounds& box) {
   std::vector<Triangle>& triangles = cut.mesh.triangles;
   const auto outside = [&](const Triangle& t) {
@@ -124,7 +113,7 @@ ExtractionOptions extractionOptions(double h, const HoppeSurfaceOptions& options
   o.flip_angle = options.flip_angle;
   o.snap = options.snap;
   o.threads = options.threads;
-  o.memory_limit = memoryLimit(options);
+  o.memory_limit = options.memory_limit > 0 ? options.memory_limit : defaultMemoryLimit();
   return o;
 }
 

@@ -1,5 +1,7 @@
 #include "graben/surface/local_fit.h"
 
+#include "box_around.h"
+
 #include "graben/faults/fault_signature.h"
 
 #include <Eigen/Geometry>
@@ -14,13 +16,6 @@ namespace graben {
 namespace {
 
 constexpr double kNormalLimit = 0.34; // cosine of 70 degrees
-
-Bounds boxAround(const Vector3& p, double radius) {
-  Bounds box;
-  box.low = p.array() - radius;
-  box.high = p.array() + radius;
-  return box;
-}
 
 /// Weighted least squares for height = sum of coefficients times monomials, in coordinates scaled to the support.
 template <int Terms>
@@ -102,7 +97,6 @@ LocalEstimate estimate(const Support& s) {
   result.valid = true;
   result.offset = c[0];
   result.normal = (s.normal - c[1] / s.radius * s.u - c[2] / s.radius * s.v).normalized();
-  result.nearest = std::sqrt(s.picks.front().squared_distance);
   for (const Neighbor& pick : s.picks) {
     if (pick.index != s.own)
       continue;

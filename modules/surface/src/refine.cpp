@@ -39,13 +39,7 @@ Vector3 moved(const CutMesh& cut, Index vertex, const LocalFit& fit, const Local
   const double length = step.norm();
   if (max_step > 0.0 && length > max_step)
     step *= max_step / length;
-  Vector3 p = at + step;
-  const int rounds = on[0] < 0 ? 0 : on[1] < 0 ? 1 : 8;
-  for (int round = 0; round < rounds; ++round)
-    for (const Index f : on)
-      if (f >= 0)
-        p = fit.faults().nearest(static_cast<std::size_t>(f), p).point;
-  return p;
+  return ontoFaults(fit.faults(), on, at + step);
 }
 
 } // namespace

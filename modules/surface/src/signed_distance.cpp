@@ -1,5 +1,7 @@
 #include "graben/surface/signed_distance.h"
 
+#include "box_around.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -8,13 +10,6 @@
 namespace graben {
 
 namespace {
-
-Bounds boxAround(const Vector3& p, double radius) {
-  Bounds box;
-  box.extend(Vector3(p.array() - radius));
-  box.extend(Vector3(p.array() + radius));
-  return box;
-}
 
 constexpr double kDegree = M_PI / 180.0;
 constexpr double kWidestGap = 150.0 * kDegree;        // between the directions to the picks around a place inside the data

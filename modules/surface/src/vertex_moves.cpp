@@ -25,13 +25,7 @@ public:
     std::vector<std::uint8_t> in(cut.mesh.vertices.size(), 0);
     for (std::size_t v = 0; v < in.size(); ++v)
       in[v] = cut.onFault(static_cast<Index>(v)) ? 1 : 0;
-    for (int ring = 0; ring < kRings; ++ring) {
-      const std::vector<std::uint8_t> before = in;
-      for (const Triangle& t : triangles)
-        if (before[static_cast<std::size_t>(t[0])] + before[static_cast<std::size_t>(t[1])] + before[static_cast<std::size_t>(t[2])] > 0)
-          for (const Index v : t)
-            in[static_cast<std::size_t>(v)] = 1;
-    }
+    growRings(triangles, kRings, in);
     slot_.assign(in.size(), -1);
     for (std::size_t v = 0; v < in.size(); ++v)
       if (in[v] != 0) {
@@ -113,6 +107,25 @@ void pullBack(const CutMesh& cut, const FaultNetwork& faults, const FaultBelt& b
 }
 
 } // namespace
+
+Vector3 ontoFaults(const FaultNetwork& faults, const std::array<Index, 2>& on, Vector3 place) {
+  const int rounds = on[0] < 0 ? 0 : on[1] < 0 ? 1 : 8;
+  for (int round = 0; round < rounds; ++round)
+    for (const Index f : on)
+      if (f >= 0)
+        place = faults.nearest(static_cast<std::size_t>(f), place).point;
+  return place;
+}
+
+void growRings(const std::vector<Triangle>& triangles, int rings, std::vector<std::uint8_t>& in) {
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<std::uint8_t> before = in;
+    for (const Triangle& t : triangles)
+      if (before[static_cast<std::size_t>(t[0])] + before[static_cast<std::size_t>(t[1])] + before[static_cast<std::size_t>(t[2])] > 0)
+        for (const Index v : t)
+          in[static_cast<std::size_t>(v)] = 1;
+  }
+}
 
 void moveVertices(CutMesh& cut, const FaultNetwork& faults, Points targets, unsigned threads) {
   if (!faults.empty()) {

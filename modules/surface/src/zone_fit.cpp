@@ -36,7 +36,7 @@ public:
     const double length = step.norm();
     if (options_.max_step > 0.0 && length > options_.max_step)
       step *= options_.max_step / length;
-    position = ontoFaults(vertex, at + step);
+    position = ontoFaults(faults_, cut_.vertex_faults[v], at + step);
     return true;
   }
 
@@ -69,17 +69,6 @@ private:
       const FaultPoint p = faults_.nearest(static_cast<std::size_t>(f), at);
       sum.addPlane(p.point - at, p.normal, 10.0 * static_cast<double>(options_.neighbors));
     }
-  }
-
-  Vector3 ontoFaults(Index vertex, Vector3 p) const {
-    const auto& on = cut_.vertex_faults[static_cast<std::size_t>(vertex)];
-    // At a branch line the two projections are repeated until they agree.
-    const int rounds = on[0] < 0 ? 0 : on[1] < 0 ? 1 : 8;
-    for (int round = 0; round < rounds; ++round)
-      for (const Index f : on)
-        if (f >= 0)
-          p = faults_.nearest(static_cast<std::size_t>(f), p).point;
-    return p;
   }
 
   const CutMesh& cut_;

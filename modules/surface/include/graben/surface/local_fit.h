@@ -17,7 +17,6 @@ struct LocalEstimate {
   double offset = 0.0;                  ///< from the query along its normal to the surface
   Vector3 normal = Vector3::UnitZ();    ///< of the surface there
   double leverage = 0.0;                ///< weight that the pick asked for has in the estimate at its own foot, 0 to 1
-  double nearest = 0.0;                 ///< distance to the nearest pick used
 };
 
 /// A weighted least-squares polynomial through the nearest picks on the same side of the faults: averages noise instead of copying it.

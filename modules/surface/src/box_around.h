@@ -1,0 +1,15 @@
+#pragma once
+
+#include "graben/mesh/bounds.h"
+
+namespace graben {
+
+/// The cube with half edge \a radius about a place.
+inline Bounds boxAround(const Vector3& p, double radius) {
+  Bounds box;
+  box.low = p.array() - radius;
+  box.high = p.array() + radius;
+  return box;
+}
+
+} // namespace graben
