@@ -117,6 +117,26 @@ std::array<int, 3> findCoordinateColumns(const std::vector<std::string>& names) 
   return columns;
 }
 
+DipColumns findDipColumns(const std::vector<std::string>& names) {
+  static const std::vector<std::string> dip = {"dip", "dipangle", "dipamount", "dipdeg", "dipdegrees", "truedip", "inclination", "incl"};
+  static const std::vector<std::string> azimuth = {"azimuth", "azim", "azi", "az", "dipazimuth", "dipazim", "dipazi", "dipaz",
+                                                   "dipdirection", "dipdir", "dipdirn", "dd", "azimuthdeg", "dipazimuthdeg"};
+  static const std::vector<std::string> strike = {"strike", "strikerhr", "strikeazimuth", "strikeazi", "strikedir", "strikedirection",
+                                                  "strikedeg"};
+  DipColumns columns;
+  const auto take = [](int& column, const std::string& name, const std::vector<std::string>& list, std::size_t i) {
+    if (column < 0 && isOneOf(name, list))
+      column = static_cast<int>(i);
+  };
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string name = plainName(names[i]);
+    take(columns.dip, name, dip, i);
+    take(columns.azimuth, name, azimuth, i);
+    take(columns.strike, name, strike, i);
+  }
+  return columns;
+}
+
 std::vector<std::string> columnNames(const std::vector<std::string_view>& header) {
   std::vector<std::string> names = numberedNames(header);
   const auto named = findCoordinateColumns(names);

@@ -212,9 +212,23 @@ Table<K> readTable(const TableSource& source, const TableLayout<K>& layout) {
   return joined(blocks, source.first_line, source.threads);
 }
 
+template <int K>
+std::size_t lineOfRow(const TableSource& source, const TableLayout<K>& layout, std::size_t row) {
+  const std::vector<int> slots = slotsOf(layout);
+  LineReader reader(source.text, source.first_line);
+  Eigen::Matrix<double, K, 1> values;
+  std::string_view line;
+  for (std::size_t left = row + 1; left > 0 && reader.next(line);)
+    left -= !isPassedOver(line) && parseRow(line, layout.delimiter, slots, values) ? 1 : 0;
+  return reader.number();
+}
+
 template struct Table<3>;
+template struct Table<5>;
 template struct Table<6>;
 template Table<3> readTable<3>(const TableSource&, const TableLayout<3>&);
+template Table<5> readTable<5>(const TableSource&, const TableLayout<5>&);
+template std::size_t lineOfRow<5>(const TableSource&, const TableLayout<5>&, std::size_t);
 template Table<6> readTable<6>(const TableSource&, const TableLayout<6>&);
 template bool parseTableRow<3>(std::string_view, const TableLayout<3>&,
                                Eigen::Matrix<double, 3, 1>&);

@@ -38,9 +38,13 @@ struct TableSource {
 };
 
 /// Reads a table in parallel; empty rows and comments (# ! @ //) are passed over. Instantiated for
-/// K = 3 and 6.
+/// K = 3, 5 and 6.
 template <int K>
 Table<K> readTable(const TableSource& source, const TableLayout<K>& layout);
+
+/// The number of the line a row of the table stands in; reads the table up to it.
+template <int K>
+std::size_t lineOfRow(const TableSource& source, const TableLayout<K>& layout, std::size_t row);
 
 /// Reads one row.
 /// \returns false if it does not hold all wanted numbers

@@ -1,0 +1,159 @@
+#include "text_layout.h"
+
+#include "column_names.h"
+#include "line_reader.h"
+#include "numbers.h"
+
+#include "graben/core/errors.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace graben {
+namespace {
+
+constexpr std::size_t most_header_lines = 1000;
+constexpr std::size_t most_trailing_lines = 10;
+
+/// How the fields of a row may be parted, likeliest first. A lone tab parts two fields, so that a
+/// field may be empty; several tabs are padding.
+std::string delimitersOf(std::string_view row) {
+  for (const char* c : {";", ","})
+    if (row.find(c) != std::string_view::npos)
+      return c;
+  const bool lone_tabs = row.find('\t') != std::string_view::npos &&
+                         row.find("\t\t") == std::string_view::npos && row.front() != '\t';
+  return lone_tabs ? "\t " : " ";
+}
+
+bool isNumber(std::string_view field) {
+  double value = 0.0;
+  return !field.empty() && parseField(field, value);
+}
+
+/// `1,5` in two fields or more that are not parted by commas.
+bool hasDecimalCommas(std::string_view row) {
+  std::vector<std::string_view> words;
+  splitFields(row, row.find(';') != std::string_view::npos ? ';' : ' ', words);
+  const auto is_decimal = [](std::string_view word) {
+    const std::size_t comma = word.find(',');
+    return comma != std::string_view::npos && word.find('.') == std::string_view::npos &&
+           isNumber(word.substr(0, comma)) && isNumber(word.substr(comma + 1));
+  };
+  return std::count_if(words.begin(), words.end(), is_decimal) >= 2;
+}
+
+/// Finds where the wanted numbers stand in a row parted by layout.delimiter.
+/// \returns false if the row is none of numbers
+bool findColumns(std::string_view row, const std::vector<int>& named, TextLayout& layout) {
+  std::vector<std::string_view> fields;
+  splitFields(row, layout.delimiter, fields);
+  layout.columns_in_row = fields.size();
+  layout.names_used = *std::min_element(named.begin(), named.end()) >= 0;
+  // Exports of several horizons start each row with a quoted name that the header does not list.
+  const bool quoted_name = trim(row).front() == '"' && !isNumber(fields.front());
+  const bool listed = layout.names_used && layout.names.size() == fields.size();
+  const int shift = quoted_name && !listed ? 1 : 0;
+  layout.columns = named;
+  if (!layout.names_used)
+    std::iota(layout.columns.begin(), layout.columns.end(), 0);
+  for (int& column : layout.columns) {
+    column += shift;
+    const auto at = static_cast<std::size_t>(column);
+    if (at >= fields.size() || !isNumber(fields[at]))
+      return false;
+  }
+  return true;
+}
+
+bool layoutOfRow(std::string_view row, const std::vector<int>& named, TextLayout& layout) {
+  const std::string delimiters = delimitersOf(row);
+  return std::any_of(delimiters.begin(), delimiters.end(), [&](char delimiter) {
+    layout.delimiter = delimiter;
+    return findColumns(row, named, layout);
+  });
+}
+
+std::string listOf(const std::vector<std::string>& items, const char* last = ", ") {
+  std::string list;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    list += (i == 0 ? "" : (i + 1 == items.size() ? last : ", ")) + items[i];
+  return list;
+}
+
+/// A line before the first row may be anything but a row of numbers that lacks one.
+void refuseShortRow(std::string_view line, const std::string& path, std::size_t number,
+                    const TableKind& kind) {
+  if (hasDecimalCommas(line))
+    throw ParseError(path, number, "numbers with decimal commas; write them with points");
+  std::string blanks(line);
+  std::replace_if(
+      blanks.begin(), blanks.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
+  std::vector<std::string_view> words;
+  splitWords(blanks, words);
+  if (words.size() >= 2 && isNumber(words[0]) && isNumber(words[1]))
+    throw ParseError(path, number,
+                     "a row of numbers without " + listOf(kind.wanted, " and ") + ": '" +
+                         std::string(line.substr(0, 60)) + "'");
+}
+
+} // namespace
+
+TextLayout findLayout(std::string_view text, const std::string& path, const TableKind& kind) {
+  TextLayout layout;
+  std::vector<std::string_view> header;
+  LineReader reader(text);
+  std::string_view line;
+  layout.body = reader.rest();
+  while (header.size() < most_header_lines && reader.next(line)) {
+    if (!isPassedOver(line)) {
+      layout.names = columnNames(header);
+      const NamedColumns named = kind.by_name(layout.names);
+      layout.first_line = reader.number();
+      if (layoutOfRow(line, named.columns, layout)) {
+        if (!named.missing.empty())
+          throw ParseError(path, reader.number() - 1, named.missing);
+        return layout;
+      }
+      refuseShortRow(line, path, reader.number(), kind);
+    }
+    header.push_back(line);
+    layout.body = reader.rest();
+  }
+  throw ParseError(path, 0, "is no " + kind.noun + ": no row of numbers " + listOf(kind.wanted, " and ") + " found");
+}
+
+void noteColumns(const TextLayout& layout, const TableKind& kind, std::vector<std::string>& notes) {
+  const auto& used = layout.columns;
+  if (!layout.names_used) {
+    std::vector<std::string> numbers;
+    for (const int column : used)
+      numbers.push_back(std::to_string(column + 1));
+    if (layout.columns_in_row > used.size() || used.size() > 3)
+      notes.push_back("columns " + listOf(numbers) + " of " + std::to_string(layout.columns_in_row) + " taken as " +
+                      listOf(kind.wanted));
+    return;
+  }
+  const int shift = layout.names.size() + 1 == layout.columns_in_row && used[0] > 0 ? 1 : 0;
+  std::vector<std::string> ignored;
+  for (std::size_t i = 0; i < layout.names.size(); ++i)
+    if (std::find(used.begin(), used.end(), static_cast<int>(i) + shift) == used.end())
+      ignored.push_back(layout.names[i].empty() ? "?" : layout.names[i]);
+  if (!ignored.empty())
+    notes.push_back("columns ignored: " + listOf(ignored));
+}
+
+void judgeBadRows(const std::vector<std::size_t>& bad_lines, std::size_t last_line, const TableKind& kind, PickSet& picks) {
+  if (bad_lines.empty())
+    return;
+  const std::size_t first = bad_lines.front();
+  const std::string count = std::to_string(bad_lines.size());
+  if (first < last_line || bad_lines.size() > most_trailing_lines)
+    throw ParseError(picks.source, first,
+                     "this row is no " + kind.row + " with " + listOf(kind.wanted, " and ") + " (" + count + " such rows in the file)");
+  picks.rejected_rows = bad_lines.size();
+  picks.notes.push_back(count + " rows after the last " + kind.row + " are no " + kind.row + "s, first in line " +
+                        std::to_string(first));
+}
+
+} // namespace graben
