@@ -41,9 +41,11 @@ void say(const ReconstructionResult& result) {
 }
 
 /// Errors name the file of the picks.
-ReconstructionResult reconstruct(const OptionValues& values, const HorizonInput& input) {
+ReconstructionResult reconstruct(const OptionValues& values, HorizonInput input) {
+  ReconstructionOptions options = reconstructionOptions(values, input.picks.z_positive);
+  options.keep_picks = values.has("results");
   try {
-    return HorizonReconstruction(reconstructionOptions(values, input.picks.z_positive)).reconstruct(input.picks.points, input.faults);
+    return HorizonReconstruction(options).reconstruct(std::move(input.picks.points), input.faults);
   } catch (const Error& error) {
     throw Error("reconstructing " + values.text("horizon"), error.what());
   }
@@ -54,14 +56,14 @@ int run(const OptionValues& values) {
   if (!values.has("output") && !values.has("results"))
     throw UsageError("--output SURFACE is missing: where shall the horizon go?");
   checkOutputs(values);
-  const HorizonInput input = readHorizonInput(values);
+  HorizonInput input = readHorizonInput(values);
   for (const std::string& note : input.notes)
     if (!quiet)
       std::fprintf(stderr, "note: %s\n", note.c_str());
-  const ReconstructionResult result = reconstruct(values, input);
+  const ReconstructionResult result = reconstruct(values, std::move(input));
   for (const std::string& warning : result.report.warnings)
     std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  const std::vector<std::string> notes = writeOutputs(values, input, result);
+  const std::vector<std::string> notes = writeOutputs(values, result);
   if (quiet)
     return 0;
   for (const std::string& note : notes)

@@ -14,6 +14,13 @@ constexpr double kHuge = 1e12;
 
 FaultGeometry geometryOf(FaultInput&& input) { return {std::move(input.name), std::move(input.geometry), input.z_positive}; }
 
+std::string stepNames() {
+  std::string list;
+  for (const SkippableStep& step : skippableSteps())
+    list += (list.empty() ? "" : ", ") + std::string(step.name);
+  return list;
+}
+
 } // namespace
 
 void declareHorizonOptions(OptionParser& parser) {
@@ -38,6 +45,7 @@ void declareParameterOptions(OptionParser& parser) {
     .value("z-scale", "S", "z is multiplied by this for all distances, as for time in ms against metres", "1")
     .value("z-positive", "WAY", "up (elevation), down (depth, time) or auto (as the file says)", "auto")
     .value("threads", "N", "0: one per processor", "0");
+  parser.section("For comparisons").list("skip", "STEP", "steps to leave out, each of which makes the surface better: " + stepNames());
 }
 
 HorizonInput readHorizonInput(const OptionValues& values) {
@@ -76,6 +84,9 @@ ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositiv
     o.z_positive = z_positive;
   o.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
   o.memory_limit = defaultMemoryLimit();
+  for (const std::string& step : values.texts("skip"))
+    if (!skipStep(o.skip, step))
+      throw UsageError("option --skip: '" + step + "' is not one of " + stepNames());
   return o;
 }
 

@@ -78,13 +78,14 @@ void writeCutoffs(const fs::path& dir, const ReconstructionResult& result) {
 }
 
 /// The picks in the local frame (pcl_viewer draws float32), with normals and piece.
-void writePicks(const fs::path& dir, const HorizonInput& input, const ReconstructionResult& result) {
+void writePicks(const fs::path& dir, const ReconstructionResult& result) {
   LabelledPoints cloud;
-  for (std::size_t i = 0; i < input.picks.points.size(); ++i) {
-    cloud.points.push_back(input.picks.points[i] - result.frame.origin);
-    cloud.normals.push_back(result.pick_normals[i]);
-    cloud.piece.push_back(std::max<Index>(result.pick_piece[i], 0));
-  }
+  cloud.points = result.picks;
+  for (Vector3& p : cloud.points)
+    p -= result.frame.origin;
+  cloud.normals = result.pick_normals;
+  for (const Index piece : result.pick_piece)
+    cloud.piece.push_back(std::max<Index>(piece, 0));
   writePcd((dir / "picks.pcd").string(), cloud);
 }
 
@@ -145,7 +146,7 @@ void checkOutputs(const OptionValues& values) {
         throw IoError(values.text("results"), "the folder cannot be made: " + path.string() + " is a file");
 }
 
-std::vector<std::string> writeOutputs(const OptionValues& values, const HorizonInput& input, const ReconstructionResult& result) {
+std::vector<std::string> writeOutputs(const OptionValues& values, const ReconstructionResult& result) {
   std::vector<std::string> notes;
   if (values.has("output"))
     notes = writeMesh(values.text("output"), result.mesh, meshOptions(result, fs::path(values.text("output")).stem().string()));
@@ -166,7 +167,7 @@ std::vector<std::string> writeOutputs(const OptionValues& values, const HorizonI
   writePieces(dir, result);
   writeFaults(dir, result);
   writeCutoffs(dir, result);
-  writePicks(dir, input, result);
+  writePicks(dir, result);
   writeText(dir / "report.json", toJson(result.report));
   const std::vector<std::string> pictures = drawPictures(dir, result);
   notes.insert(notes.end(), pictures.begin(), pictures.end());

@@ -9,6 +9,6 @@ void checkOutputs(const OptionValues& values);
 
 /// Writes what --output, --report and --results ask for.
 /// \return sentences for the user: what a format could not hold, why pictures are missing
-std::vector<std::string> writeOutputs(const OptionValues& values, const HorizonInput& input, const ReconstructionResult& result);
+std::vector<std::string> writeOutputs(const OptionValues& values, const ReconstructionResult& result);
 
 } // namespace graben

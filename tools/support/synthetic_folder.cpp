@@ -135,11 +135,11 @@ private:
       append(whole, blocks[i]);
     }
     writeMesh(add("truth.ply"), whole, named("truth"));
-    const std::vector<CutoffLine> lines = model_.cutoffLines(options_.truth_resolution);
+    const std::vector<TrueCutoffLine> lines = model_.cutoffLines(options_.truth_resolution);
     for (std::size_t i = 0; i < model_.faultCount(); ++i)
       for (const int side : {-1, 1}) {
         std::vector<FaultStick> parts;
-        for (const CutoffLine& line : lines)
+        for (const TrueCutoffLine& line : lines)
           if (line.fault == static_cast<Index>(i) && line.side == side)
             parts.push_back({line.points});
         const std::string wall = side < 0 ? "footwall" : "hangingwall";

@@ -46,16 +46,15 @@ std::vector<FaultSurface> prepareFaults(const std::vector<FaultGeometry>& faults
   return surfaces;
 }
 
-TriangleMesh toUserFrame(const TriangleMesh& local, const LocalFrame& frame) {
-  TriangleMesh user = local;
-  for (Vector3& p : user.vertices)
+TriangleMesh toUserFrame(TriangleMesh local, const LocalFrame& frame) {
+  for (Vector3& p : local.vertices)
     p = frame.toUser(p);
-  for (Vector3& n : user.normals)
+  for (Vector3& n : local.normals)
     n = frame.normalToUser(n);
   if (frame.mirrors())
-    for (Triangle& t : user.triangles)
+    for (Triangle& t : local.triangles)
       std::swap(t[1], t[2]);
-  return user;
+  return local;
 }
 
 FaultSurface toUserFrame(const FaultSurface& local, const LocalFrame& frame) {

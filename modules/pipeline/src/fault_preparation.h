@@ -15,6 +15,6 @@ std::vector<FaultSurface> prepareFaults(const std::vector<FaultGeometry>& faults
 FaultSurface toUserFrame(const FaultSurface& local, const LocalFrame& frame);
 
 /// A local mesh in the user's frame; the winding is turned where the frame mirrors.
-TriangleMesh toUserFrame(const TriangleMesh& local, const LocalFrame& frame);
+TriangleMesh toUserFrame(TriangleMesh local, const LocalFrame& frame);
 
 } // namespace graben

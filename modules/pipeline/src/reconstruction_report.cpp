@@ -24,7 +24,8 @@ Json json(const UsedParameters& u) {
           {"z_scale", u.z_scale},
           {"fit", u.fit},
           {"orientation", u.orientation},
-          {"z_positive", u.z_positive}};
+          {"z_positive", u.z_positive},
+          {"skipped", u.skipped}};
 }
 
 Json json(const FaultReport& f, const FaultSeal* seal) {

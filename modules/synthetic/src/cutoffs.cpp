@@ -96,10 +96,10 @@ private:
 
 } // namespace
 
-std::vector<CutoffLine> SyntheticModel::cutoffLines(double resolution) const {
+std::vector<TrueCutoffLine> SyntheticModel::cutoffLines(double resolution) const {
   const double step = impl_->resolution(resolution);
   const Structure& structure = impl_->structure;
-  std::vector<CutoffLine> lines;
+  std::vector<TrueCutoffLine> lines;
   for (std::size_t i = 0; i < structure.faults.size(); ++i)
     for (const int side : {-1, 1})
       for (const Sheet& sheet : structure.sheets) {

@@ -16,7 +16,7 @@ using test::EveryKind;
 double farthest(const SyntheticModel& model, std::size_t fault, const TriangleMesh& mesh) {
   const TriangleBvh bvh(mesh);
   double worst = 0.0;
-  for (const CutoffLine& line : model.cutoffLines())
+  for (const TrueCutoffLine& line : model.cutoffLines())
     if (line.fault == static_cast<Index>(fault))
       for (const Vector3& p : line.points)
         worst = std::max(worst, bvh.nearest(p).distance);

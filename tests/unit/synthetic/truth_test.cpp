@@ -24,10 +24,10 @@ double missOfBlock(const SyntheticModel& model, Index block, const Vector3& p) {
 
 /// The sheet is infinitely steep at a tip, so that rounding x, y there moves its height.
 bool atTip(const SyntheticModel& model, const Vector3& p) {
-  for (const CutoffLine& line : model.cutoffLines())
+  for (const TrueCutoffLine& line : model.cutoffLines())
     for (const Vector3& end : {line.points.front(), line.points.back()})
       if ((end - p).norm() < 1e-6)
-        for (const CutoffLine& other : model.cutoffLines())
+        for (const TrueCutoffLine& other : model.cutoffLines())
           if (other.fault == line.fault && other.side != line.side &&
               ((other.points.front() - p).norm() < 1e-6 || (other.points.back() - p).norm() < 1e-6))
             return true;
@@ -65,7 +65,7 @@ TEST_P(Truth, CutoffsLieOnFaultAndSheet) {
   o.frame = test::utmDepth();
   const SyntheticModel model(o);
   std::vector<int> sides_seen(2 * model.faultCount());
-  for (const CutoffLine& line : model.cutoffLines()) {
+  for (const TrueCutoffLine& line : model.cutoffLines()) {
     ASSERT_GE(line.points.size(), 2u);
     ++sides_seen[static_cast<std::size_t>(2 * line.fault + (line.side > 0 ? 1 : 0))];
     for (const Vector3& p : line.points) {
@@ -80,7 +80,7 @@ TEST_P(Truth, CutoffsLieOnFaultAndSheet) {
 
 TEST_P(Truth, CutoffsEndAtTheEdgeATipOrAnotherFault) {
   const SyntheticModel model(options());
-  for (const CutoffLine& line : model.cutoffLines())
+  for (const TrueCutoffLine& line : model.cutoffLines())
     for (const Vector3& end : {line.points.front(), line.points.back()}) {
       int faults = 0;
       for (std::size_t i = 0; i < model.faultCount(); ++i)
@@ -159,13 +159,13 @@ INSTANTIATE_TEST_SUITE_P(, Truth, testing::ValuesIn(test::allKinds()), test::nam
 
 TEST(TruthTip, ThrowFallsAsASquareRootAndTheHorizonGoesOnBeyond) {
   const SyntheticModel model(SyntheticOptions::of(SyntheticKind::Tip));
-  const std::vector<CutoffLine> lines = model.cutoffLines(5.0);
+  const std::vector<TrueCutoffLine> lines = model.cutoffLines(5.0);
   ASSERT_EQ(lines.size(), 2u);
   const Vector3 tip = lines[0].points.back();
   EXPECT_LT((tip - lines[1].points.back()).norm(), 1e-6);
   const auto throwAt = [&](double distance) {
     double heights[2] = {0.0, 0.0};
-    for (const CutoffLine& line : lines) {
+    for (const TrueCutoffLine& line : lines) {
       const Vector3* best = &line.points[0];
       for (const Vector3& p : line.points)
         if (std::abs((p - tip).head<2>().norm() - distance) <

@@ -6,9 +6,9 @@
 #include "graben/features/orientation.h"
 #include "graben/filters/wrong_side_picks.h"
 #include "graben/pipeline/reconstruction_report.h"
+#include "graben/pipeline/skipped_steps.h"
 #include "graben/surface/zone_fit.h"
 
-#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -33,26 +33,26 @@ struct ReconstructionOptions {
   double fault_reach = 0.0;  ///< farthest the surface is carried on from the last picks to a fault, in x, y units; 0: estimated
   FitMode fit = FitMode::Full;
   bool smooth = true;        ///< values averaged over picks of the same side; false: Hoppe's nearest plane alone, and no refinement after the fit
-  bool set_wrong_side_aside = true; ///< picks found on the wrong side of a fault, or smeared along it, take no part in the surface
   OrientationMethod orientation = OrientationMethod::SpanningTree;
   double z_scale = 1.0;      ///< z is multiplied by this for all distance work (time in ms against metres)
   ZPositive z_positive = ZPositive::Unknown; ///< which way the picks' z grows; Unknown counts as up
   std::size_t memory_limit = 0; ///< bytes the extraction may take; 0: no limit
   unsigned threads = 0;      ///< 0: one per processor
+  SkippedSteps skip;         ///< for comparisons
+  bool keep_picks = true;    ///< false: ReconstructionResult says nothing of single picks, which saves memory
   ProgressCallback progress;
 };
 
-/// What a reconstruction gives. Coordinates are in the user's frame unless a name says local.
+/// What a reconstruction gives, in the user's frame; what is said of picks is in the order they were given in.
 struct ReconstructionResult {
   TriangleMesh mesh;                    ///< the whole horizon: vertex normals (up), piece labels, vertices doubled along the cuts
   std::vector<std::array<Index, 2>> vertex_faults; ///< faults each mesh vertex lies on, see CutMesh
   std::vector<FaultSurface> faults;     ///< faults as used: lofted, extended, with upward normals
+  Points picks;                         ///< the picks, to a few units in the last place; this and the next three are empty without keep_picks
   Points pick_normals;                  ///< oriented normal of each pick; NaN where there is none
   std::vector<Index> pick_piece;        ///< piece nearest to each pick, -1 where none is in reach
   std::vector<PickReason> pick_reason;  ///< why a pick took no part in the surface; Good where it did
-  LocalFrame frame;
-  TriangleMesh local_mesh;              ///< the same mesh as the algorithms saw it: origin subtracted, z up and scaled
-  std::shared_ptr<const FaultNetwork> local_faults;
+  LocalFrame frame;                     ///< the algorithms worked in
   ReconstructionReport report;
 };
 
@@ -65,11 +65,11 @@ class HorizonReconstruction {
 public:
   explicit HorizonReconstruction(ReconstructionOptions options = {});
 
-  /// \param[in] picks  in the user's frame, double; points that are not finite are left out
+  /// \param[in] picks  in the user's frame, double; points that are not finite are left out. Moved in, they take no memory twice
   /// \param[in] faults in the user's frame; may be empty: a general Hoppe reconstruction with holes left open
   /// \throw InvalidInputError if there are fewer than three distinct picks, all are on a line, a fault cannot be used or an option is out of range
   /// \throw ResourceError     if the voxel size makes the job too large for the memory limit
-  ReconstructionResult reconstruct(const Points& picks, const std::vector<FaultGeometry>& faults = {}) const;
+  ReconstructionResult reconstruct(Points picks, const std::vector<FaultGeometry>& faults = {}) const;
 
   const ReconstructionOptions& options() const { return options_; }
 

@@ -32,6 +32,7 @@ struct UsedParameters {
   std::string fit;
   std::string orientation;
   std::string z_positive;
+  std::vector<std::string> skipped; ///< names of the steps left out
 };
 
 struct FaultReport {

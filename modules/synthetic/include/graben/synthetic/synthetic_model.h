@@ -23,7 +23,7 @@ struct SyntheticPicks {
 };
 
 /// One true cutoff line: where a sheet meets a fault, in order along strike.
-struct CutoffLine {
+struct TrueCutoffLine {
   Index fault = 0;
   int side = 0; ///< -1: cutoff of the footwall, +1: of the hanging wall
   Index block = 0;
@@ -72,7 +72,7 @@ public:
 
   /// The true cutoff lines. \param[in] resolution point distance along strike; 0: as for
   /// truthMeshes
-  std::vector<CutoffLine> cutoffLines(double resolution = 0.0) const;
+  std::vector<TrueCutoffLine> cutoffLines(double resolution = 0.0) const;
 
   /// z of a block's true horizon at x, y; past the block's border its smooth continuation. Where a
   /// block lies over itself (reverse fault with a tip) the sheet that reaches farther past x, y.

@@ -1,0 +1,147 @@
+#include "reconstruction_job.h"
+
+#include "evaluation.h"
+#include "fault_preparation.h"
+
+#include "graben/analysis/approximation_error.h"
+#include "graben/core/threads.h"
+#include "graben/features/mean_distance.h"
+#include "graben/features/orientation.h"
+#include "graben/filters/wrong_side_picks.h"
+#include "graben/mesh/components.h"
+#include "graben/mesh/normals.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace graben {
+
+ReconstructionJob::ReconstructionJob(const ReconstructionOptions& options, ReconstructionResult& result)
+  : options_(options), result_(result), clock_(result.report.stages, options.progress) {}
+
+void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faults) {
+  clock_.start("neighbours");
+  toLocalFrame(std::move(picks));
+  prepareParameters();
+  clock_.start("faults");
+  buildFaults(faults);
+  clock_.start("wrong-side picks");
+  setWrongSidePicksAside();
+  clock_.start("normals");
+  estimateNormals();
+  clock_.start("orientation");
+  orient();
+  clock_.start("marching cubes");
+  const SheetMesh sheets = extract();
+  clock_.start("cut");
+  cut(sheets);
+  clock_.start("fit");
+  fit();
+  clock_.start("evaluation");
+  finish();
+  clock_.stop();
+}
+
+void ReconstructionJob::toLocalFrame(Points picks) {
+  result_.frame = LocalFrame::around(picks, options_.z_positive, options_.z_scale);
+  points_ = std::move(picks);
+  parallelFor(points_.size(), 1 << 14, options_.threads, [&](std::size_t i) { points_[i] = result_.frame.toLocal(points_[i]); });
+  grid_ = NeighborGrid(points_, 0.0, options_.threads);
+  result_.report.picks = points_.size();
+  result_.report.picks_not_finite = points_.size() - grid_.size();
+}
+
+void ReconstructionJob::prepareParameters() {
+  ReconstructionReport& report = result_.report;
+  report.sampling = estimateSampling(grid_, options_.threads);
+  UsedParameters& used = report.used;
+  used.rho = options_.rho > 0.0 ? options_.rho : report.sampling.rho;
+  used.delta = options_.delta > 0.0 ? options_.delta : report.sampling.delta;
+  mean_distance_ = meanPickDistance(grid_, options_.threads);
+  used.voxel_size = options_.voxel_size > 0.0 ? options_.voxel_size : mean_distance_;
+  used.zone_width = options_.zone_width > 0.0 ? options_.zone_width : 5.0 * used.voxel_size;
+  used.fault_reach = options_.fault_reach > 0.0 ? options_.fault_reach : std::max(6.0 * mean_distance_, 2.0 * rhoPlusDelta());
+  used.flip_angle = options_.flip_angle;
+  used.neighbors = options_.neighbors;
+  used.origin = result_.frame.origin;
+  used.z_scale = options_.z_scale;
+  used.fit = options_.fit == FitMode::Full ? "full" : options_.fit == FitMode::Normal ? "normal" : "off";
+  used.orientation = options_.orientation == OrientationMethod::SpanningTree ? "mst" : "up";
+  used.z_positive = result_.frame.z_positive == ZPositive::Down ? "down" : "up";
+  used.skipped = names(options_.skip);
+}
+
+void ReconstructionJob::buildFaults(const std::vector<FaultGeometry>& faults) {
+  const double reach = result_.report.used.fault_reach;
+  faults_ = FaultNetwork(prepareFaults(faults, result_.frame, reach, result_.report.warnings), reach);
+  zone_ = zonePicks(points_, faults_, result_.report.used.zone_width, options_.threads);
+}
+
+/// Picks on the wrong side of a fault take no part in the surface; they stay in the results, each with its reason.
+void ReconstructionJob::setWrongSidePicksAside() {
+  result_.pick_reason.assign(points_.size(), PickReason::Good);
+  if (faults_.empty() || options_.skip.wrong_side)
+    return;
+  WrongSideOptions o;
+  o.mean_distance = mean_distance_;
+  o.threads = options_.threads;
+  WrongSideResult found = findWrongSidePicks(grid_, faults_, o);
+  result_.report.wrong_side_picks = found.wrong_side;
+  result_.report.smeared_picks = found.smeared;
+  result_.pick_reason = std::move(found.reasons);
+  if (found.wrong_side + found.smeared == 0)
+    return;
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (result_.pick_reason[i] != PickReason::Good) {
+      aside_.emplace_back(static_cast<Index>(i), points_[i]);
+      points_[i].setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+  grid_ = NeighborGrid(points_, 0.0, options_.threads);
+}
+
+void ReconstructionJob::estimateNormals() {
+  TangentPlaneOptions o;
+  o.neighbors = options_.neighbors;
+  o.rho_plus_delta = rhoPlusDelta();
+  o.threads = options_.threads;
+  planes_ = estimateTangentPlanes(grid_, faultsUnless(options_.skip.neighbors), o);
+}
+
+void ReconstructionJob::orient() {
+  OrientationOptions o;
+  o.method = options_.orientation;
+  o.rho_plus_delta = rhoPlusDelta();
+  o.threads = options_.threads;
+  orientNormals(grid_, faultsUnless(options_.skip.neighbors), o, planes_.normals);
+}
+
+void ReconstructionJob::handOutPicks() {
+  parallelFor(points_.size(), 1 << 14, options_.threads, [&](std::size_t i) {
+    points_[i] = result_.frame.toUser(points_[i]);
+    result_.pick_normals[i] = result_.frame.normalToUser(result_.pick_normals[i]);
+  });
+  result_.picks = std::move(points_);
+}
+
+void ReconstructionJob::finish() {
+  if (!options_.skip.tidy)
+    tidy();
+  computeVertexNormals(cut_.mesh, options_.threads);
+  labelPieces(cut_.mesh);
+  if (options_.keep_picks)
+    result_.pick_normals = std::move(planes_.normals);
+  planes_ = TangentPlanes();
+  grid_ = NeighborGrid();
+  for (const auto& [pick, place] : aside_)
+    points_[static_cast<std::size_t>(pick)] = place;
+  result_.pick_piece = evaluate(cut_, faults_, points_, zone_, options_.threads, result_.report);
+  if (options_.keep_picks)
+    handOutPicks();
+  points_ = Points();
+  for (std::size_t f = 0; f < faults_.size(); ++f)
+    result_.faults.push_back(toUserFrame(faults_.fault(f), result_.frame));
+  result_.mesh = toUserFrame(std::move(cut_.mesh), result_.frame);
+  result_.vertex_faults = std::move(cut_.vertex_faults);
+}
+
+} // namespace graben

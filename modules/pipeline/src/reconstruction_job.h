@@ -1,0 +1,63 @@
+#pragma once
+
+#include "graben/pipeline/horizon_reconstruction.h"
+
+#include "stage_clock.h"
+
+#include "graben/features/neighbor_grid.h"
+#include "graben/features/tangent_planes.h"
+#include "graben/surface/cut_mesh.h"
+#include "graben/surface/sheet_extraction.h"
+#include "graben/surface/signed_distance.h"
+
+namespace graben {
+
+/// One run of HorizonReconstruction: the stages, and what they hand on. Works in the local frame.
+class ReconstructionJob {
+public:
+  /// Both are kept by reference.
+  ReconstructionJob(const ReconstructionOptions& options, ReconstructionResult& result);
+
+  /// Once only. \throw see HorizonReconstruction::reconstruct
+  void run(Points picks, const std::vector<FaultGeometry>& faults);
+
+private:
+  // From picks to planes (reconstruction_job.cpp)
+  void toLocalFrame(Points picks);
+  void prepareParameters();
+  void buildFaults(const std::vector<FaultGeometry>& faults);
+  void setWrongSidePicksAside();
+  void estimateNormals();
+  void orient();
+  void finish();
+  void handOutPicks();
+
+  // From planes to the surface (surface_stages.cpp)
+  SheetMesh extract();
+  void cut(const SheetMesh& sheets);
+  void fit();
+  void refineLocally();
+  void tidy();
+  std::size_t remove(const std::vector<Index>& triangles);
+  SignedDistanceOptions distanceOptions() const;
+  Vector3 latticeOrigin() const;
+
+  double rhoPlusDelta() const { return result_.report.used.rho + result_.report.used.delta; }
+  /// The faults as a stage sees them: none where it is told to do without.
+  const FaultNetwork& faultsUnless(bool skipped) const { return skipped ? no_faults_ : faults_; }
+
+  const ReconstructionOptions& options_;
+  ReconstructionResult& result_;
+  StageClock clock_;
+  Points points_;                               ///< NaN while a pick is set aside
+  std::vector<std::pair<Index, Vector3>> aside_; ///< picks set aside
+  double mean_distance_ = 0.0;
+  NeighborGrid grid_;
+  FaultNetwork faults_;
+  FaultNetwork no_faults_;
+  TangentPlanes planes_;
+  std::vector<Index> zone_; ///< the paper's X_S, picks set aside included
+  CutMesh cut_;
+};
+
+} // namespace graben

@@ -1,0 +1,144 @@
+#include "evaluation.h"
+#include "reconstruction_job.h"
+
+#include "graben/analysis/approximation_error.h"
+#include "graben/analysis/bridges.h"
+#include "graben/analysis/flipped_triangles.h"
+#include "graben/mesh/normals.h"
+#include "graben/surface/crumbs.h"
+#include "graben/surface/data_border.h"
+#include "graben/surface/fault_cut.h"
+#include "graben/surface/local_fit.h"
+
+#include <cmath>
+
+namespace graben {
+
+namespace {
+
+constexpr std::size_t kCrumb = 20;
+constexpr int kUnfoldRounds = 4;
+const Vector3 kLatticeShift(0.2718281828, 0.3141592654, 0.1414213562); // of a voxel: keeps lattice vertices off faults given in round numbers
+constexpr double kOverhang = 0.6; // of a voxel: how far the surface reaches beyond the outermost picks
+
+/// E(M, X) over the zone, before the picks set aside are back among the points.
+DistanceStatistics zoneError(const TriangleMesh& mesh, const Points& points, const std::vector<Index>& zone,
+                             const std::vector<std::pair<Index, Vector3>>& aside, unsigned threads) {
+  Points zone_points;
+  zone_points.reserve(zone.size());
+  auto next = aside.begin();
+  for (const Index pick : zone) {
+    while (next != aside.end() && next->first < pick)
+      ++next;
+    const bool is_aside = next != aside.end() && next->first == pick;
+    zone_points.push_back(is_aside ? next->second : points[static_cast<std::size_t>(pick)]);
+  }
+  return approximationError(mesh, zone_points, threads);
+}
+
+} // namespace
+
+SignedDistanceOptions ReconstructionJob::distanceOptions() const {
+  const UsedParameters& used = result_.report.used;
+  SignedDistanceOptions o;
+  o.rho_plus_delta = rhoPlusDelta();
+  o.overhang = std::sqrt(2.0) * used.voxel_size; // every cell that holds a pick is whole; trimmed afterwards
+  o.fault_reach = used.fault_reach;
+  o.voxel_size = used.voxel_size;
+  o.blend = options_.smooth ? 4 : 1;
+  return o;
+}
+
+SheetMesh ReconstructionJob::extract() {
+  const double h = result_.report.used.voxel_size;
+  ExtractionOptions extraction;
+  extraction.lattice.voxel_size = h;
+  extraction.lattice.origin = latticeOrigin();
+  extraction.flip_angle = options_.flip_angle;
+  extraction.snap = options_.skip.snap ? 0.0 : 0.3;
+  extraction.threads = options_.threads;
+  extraction.memory_limit = options_.memory_limit;
+  extraction.progress = options_.progress;
+  const SignedDistance field(grid_, planes_, faultsUnless(options_.skip.sides), distanceOptions());
+  SheetMesh sheets = extractSheets(field, extraction);
+  if (!options_.skip.trim) {
+    DataBorderOptions border;
+    border.overhang = kOverhang * h;
+    border.threads = options_.threads;
+    trimToData(sheets, field, border);
+  }
+  result_.report.cells = sheets.cells;
+  result_.report.rejected_by_flip_angle = sheets.rejected_by_flip_angle;
+  return sheets;
+}
+
+/// The lattice stands still in the user's frame, so that neighbouring jobs of the same voxel size agree.
+Vector3 ReconstructionJob::latticeOrigin() const {
+  const double h = result_.report.used.voxel_size;
+  const Vector3 zero = result_.frame.toLocal(Vector3::Zero()) + h * kLatticeShift;
+  return zero.unaryExpr([h](double x) { return x - h * std::floor(x / h); });
+}
+
+void ReconstructionJob::cut(const SheetMesh& sheets) {
+  FaultCutOptions o;
+  o.tolerance = 0.1 * result_.report.used.voxel_size;
+  o.threads = options_.threads;
+  cut_ = cutSheets(sheets, faultsUnless(options_.skip.cut), o);
+  result_.report.crumbs_removed = removeCrumbs(cut_, kCrumb);
+}
+
+void ReconstructionJob::fit() {
+  const UsedParameters& used = result_.report.used;
+  result_.report.zone_before_fit = zoneError(cut_.mesh, points_, zone_, aside_, options_.threads);
+  if (options_.fit == FitMode::Off)
+    return;
+  ZoneFitOptions zone;
+  zone.mode = options_.fit;
+  zone.neighbors = options_.neighbors;
+  zone.zone_width = used.zone_width;
+  zone.search_radius = used.fault_reach + 2.0 * rhoPlusDelta();
+  zone.max_step = used.voxel_size;
+  zone.threads = options_.threads;
+  if (!options_.skip.zone_fit)
+    fitZone(cut_, grid_, planes_, faults_, zone);
+  if (options_.smooth && !options_.skip.local_fit)
+    refineLocally();
+}
+
+void ReconstructionJob::refineLocally() {
+  const UsedParameters& used = result_.report.used;
+  const LocalFit local(grid_, planes_, faults_, used.fault_reach + 4.0 * rhoPlusDelta());
+  RefineOptions refinement;
+  refinement.models = chooseModels(local, used.zone_width, options_.threads);
+  refinement.zone_width = used.zone_width;
+  refinement.max_step = used.voxel_size;
+  refinement.threads = options_.threads;
+  refine(cut_, local, refinement);
+}
+
+/// A few triangles, mostly in the corners between faults, may be folded over or still reach over a fault after the fit; none may stay.
+void ReconstructionJob::tidy() {
+  if (cut_.mesh.empty())
+    return;
+  for (int round = 0; round < kUnfoldRounds; ++round) {
+    computeVertexNormals(cut_.mesh, options_.threads);
+    relaxTriangles(cut_, turnedTriangles(cut_, true));
+    relaxTriangles(cut_, foldedTriangles(cut_.mesh));
+  }
+  computeVertexNormals(cut_.mesh, options_.threads);
+  result_.report.folds_removed = remove(turnedTriangles(cut_, true));
+  result_.report.folds_removed += remove(foldedTriangles(cut_.mesh));
+  const double tolerance = kOnFault * result_.report.used.voxel_size;
+  if (!faults_.empty())
+    result_.report.bridges_removed = remove(bridgingTriangles(cut_.mesh, faults_, tolerance, options_.threads));
+}
+
+std::size_t ReconstructionJob::remove(const std::vector<Index>& triangles) {
+  if (triangles.empty() || triangles.size() == cut_.mesh.triangles.size())
+    return 0;
+  removeTriangles(cut_, triangles);
+  result_.report.crumbs_removed += removeCrumbs(cut_, kCrumb);
+  return triangles.size();
+}
+
+} // namespace graben
