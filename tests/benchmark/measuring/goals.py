@@ -1,0 +1,92 @@
+"""The goals of speed and memory, each with what was measured."""
+
+from . import clouds, tools
+
+MILLION = 1000000
+
+
+class Goals:
+    def __init__(self, session):
+        self.session = session
+        self.rows = []
+
+    def wall(self, tool, picks, case="horizon"):
+        return self.session.median(case, picks, tool, "wall")
+
+    def add(self, what, goal, value, met, text="%.2f"):
+        """value None: not measured."""
+        if value is not None:
+            self.rows.append((what, goal, text % value, "met" if met(value) else "**not met**"))
+
+    def ratio(self, what, goal, above, below, met, text="%.2f"):
+        self.add(what, goal, above / below if above is not None and below else None, met, text)
+
+    def at_most(self, what, limit, above, below):
+        self.ratio(what, "at most %g" % limit, above, below, lambda v: v <= limit)
+
+    def at_least(self, what, limit, above, below):
+        self.ratio(what, "at least %g" % limit, above, below, lambda v: v >= limit, "%.1f")
+
+    def against_peers(self, case, whose):
+        graben = self.wall("graben", MILLION, case)
+        self.at_most(whose + ": graben / VTK", 0.4, graben, self.wall("vtk_extract_surface", MILLION, case))
+        self.at_least(whose + ": PCL's normals and MarchingCubesHoppe / graben", 15, self.wall("pcl_hoppe", MILLION, case), graben)
+        self.at_most(whose + ": graben / `pcl::NormalEstimationOMP`, whole processes", 0.7, graben, self.wall("pcl_normals", MILLION, case))
+        normals = self.session.median(case, MILLION, "pcl_normals", lambda run: run["stages"].get("normals"))
+        self.at_most(whose + ": graben / `pcl::NormalEstimationOMP` without reading and writing", 0.7, graben, normals)
+
+    def memory(self):
+        for picks in self.session.sizes("horizon"):
+            peak = self.session.median("horizon", picks, "graben", "peak")
+            if picks < MILLION or peak is None:
+                continue
+            each = self.session.median("horizon", picks, "graben", lambda run, n=picks: (run["peak"] - run["output"]) / n)
+            self.add("%s picks: bytes a pick beyond the output mesh" % clouds.label(picks), "at most 200", each, lambda v: v <= 200, "%.0f")
+            if picks == 10 * MILLION:
+                self.add("10 M picks: peak memory, GiB", "under 3", peak / 2**30, lambda v: v < 3)
+            if picks == 50 * MILLION:
+                self.add("50 M picks: runs to the end; peak memory, GiB", "within 24", peak / 2**30, lambda v: v < 24)
+
+    def threads(self):
+        for picks in self.session.sizes("horizon"):
+            if picks >= MILLION:
+                one, two = (self.session.median("horizon", picks, tool, tools.in_memory) for tool in ("graben_one_thread", "graben_stages"))
+                self.at_least("%s picks: one thread / two, picks in memory to mesh in memory" % clouds.label(picks), 1.7, one, two)
+
+    def fault_time(self, picks):
+        """Seconds that faults add in memory, and all seconds."""
+        with_faults, without = (self.session.median("horizon", picks, tool, tools.in_memory) for tool in ("graben_stages", "graben_no_faults"))
+        return (with_faults - without, with_faults) if with_faults is not None and without is not None else (None, None)
+
+    def faults(self):
+        for picks in self.session.sizes("horizon"):
+            if picks >= MILLION:
+                extra, whole = self.fault_time(picks)
+                self.ratio("%s picks: share of the time that two faults add" % clouds.label(picks), "at most 20 %",
+                           None if extra is None else 100 * extra, whole, lambda v: v <= 20, "%.0f %%")
+        small, large = self.fault_time(MILLION)[0], self.fault_time(4 * MILLION)[0]
+        near = [self.session.median("horizon", n, "graben_stages", lambda run: run.get("zone")) for n in (MILLION, 4 * MILLION)]
+        if small and large and all(near):
+            growth = near[1] / near[0]
+            # All picks grow fourfold; in between lies what can be told from noise.
+            self.ratio("4 M picks / 1 M: time that the faults add", "as picks near faults: %.1f" % growth, large, small,
+                       lambda v: v <= (growth + 4) / 2, "%.1f")
+
+    def reading(self):
+        for tool, what, limit in (("read_text", "text", 150), ("read_binary", "binary PCD", 1000)):
+            for picks in self.session.sizes("files"):
+                speed = self.session.median("files", picks, tool, lambda run: run["input"] / run["stages"]["read"] / 1e6)
+                self.add("reading %s picks, %s, MB/s" % (clouds.label(picks), what), "at least %d" % limit, speed,
+                         lambda v, least=limit: v >= least, "%.0f")
+
+    def all(self):
+        self.against_peers("horizon", "1 M picks")
+        self.at_least("4 M picks: PCL's normals and MarchingCubesHoppe / graben", 80, self.wall("pcl_hoppe", 4 * MILLION),
+                      self.wall("graben", 4 * MILLION))
+        self.at_most("10 M picks / 1 M: time", 11, self.wall("graben", 10 * MILLION), self.wall("graben", MILLION))
+        self.memory()
+        self.threads()
+        self.reading()
+        self.faults()
+        self.against_peers("object", "closed object, 1 M points, no fault")
+        return self.rows

@@ -1,0 +1,82 @@
+"""Markdown of a session."""
+
+import os
+import platform
+import re
+import subprocess
+
+from . import clouds, goals, processes, tools
+
+
+def row(cells):
+    return "| " + " | ".join(cells) + " |"
+
+
+def seconds(value):
+    return "%.2f" % value if value < 10 else "%.0f" % value
+
+
+def short(ratio):
+    return "%.0f" % ratio if ratio >= 10 else "%.2g" % ratio
+
+
+def cell(session, case, picks, tool):
+    wall, cpu, peak = (session.median(case, picks, tool, key) for key in ("wall", "cpu", "peak"))
+    if wall is None:
+        runs = session.find(case, picks, tool)
+        if session.failure(case, picks, tool) == "timeout":
+            return "over %.0f s" % runs[-1]["wall"]
+        return session.failure(case, picks, tool) or "-"
+    text = "%s s, %s s, %.0f MB" % (seconds(wall), seconds(cpu), peak / 1e6)
+    graben = session.median(case, picks, "graben", "wall")
+    return text + (" (%s×)" % short(wall / graben) if graben and tool != "graben" else "")
+
+
+def speed(session):
+    columns = [(case, picks) for case in ("horizon", "object") for picks in session.sizes(case)]
+    heads = [clouds.label(picks) + (", closed object" if case == "object" else "") for case, picks in columns]
+    lines = [row(["wall s, CPU s, peak memory (wall / graben's)"] + heads), "|---" * (len(heads) + 1) + "|"]
+    names = {"graben": "**graben**", **{name: text for name, (text, _) in tools.PEERS.items()}}
+    for tool, name in names.items():
+        if any(session.find(case, picks, tool) for case, picks in columns):
+            lines.append(row([name] + [cell(session, case, picks, tool) for case, picks in columns]))
+    return lines
+
+
+def goal_table(session):
+    rows = goals.Goals(session).all()
+    return [row(["goal", "to reach", "measured", ""]), "|---|---|---|---|"] + [row(r) for r in rows] if rows else []
+
+
+def cpu_name():
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        found = re.search(r"model name\s*: (.*)", file.read())
+    return found.group(1) if found else platform.machine()
+
+
+def version(package):
+    found = subprocess.run(["dpkg-query", "--show", "--showformat=${Version}", package], capture_output=True, text=True, check=False)
+    return re.match(r"[\d.]*", found.stdout).group(0).rstrip(".")
+
+
+def caption(session):
+    versions = [(name, version(package)) for name, package in
+                (("PCL", "libpcl-dev"), ("VTK", "libvtk9-dev"), ("CGAL", "libcgal-dev"), ("Open3D", "libopen3d-dev"))]
+    text = "%s, %d processors, %.0f GiB; %s. Medians of up to %d interleaved runs of whole processes." % (
+        cpu_name(), os.cpu_count(), processes.machine_memory() / 2**30, ", ".join("%s %s" % v for v in versions if v[1]), session.repeats())
+    if session.others() > 0.1:
+        text += " Other processes kept %.1f processors busy meanwhile: times are too long, ratios rough." % session.others()
+    return text
+
+
+def replace(path, name, lines):
+    """Puts lines between <!-- NAME --> and <!-- /NAME --> of a file. Lines that stand there stay if there are none to put."""
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    begin, end = "<!-- %s -->\n" % name, "<!-- /%s -->" % name
+    if begin not in text or end not in text:
+        raise SystemExit("%s has no lines %s and %s" % (path, begin.strip(), end))
+    if lines:
+        head, tail = text.split(begin)[0], text.split(end)[1]
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(head + begin + "\n".join(lines) + "\n" + end + tail)
