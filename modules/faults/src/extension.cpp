@@ -6,6 +6,7 @@
 #include "graben/core/errors.h"
 #include "graben/mesh/normals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -67,9 +68,18 @@ void extendTipLines(std::vector<Points>& tip_lines, const Vector3& corner,
       line.push_back(extended);
 }
 
-} // namespace
+/// Tip lines along an end that was continued lie along the new end.
+void moveTipLines(std::vector<Points>& tip_lines, const Points& end, const Points& extended) {
+  for (Points& line : tip_lines)
+    for (Vector3& p : line) {
+      const auto found = std::find(end.begin(), end.end(), p);
+      if (found != end.end())
+        p = extended[static_cast<std::size_t>(found - end.begin())];
+    }
+}
 
-FaultSurface extendedAlongDip(const FaultSurface& fault, double distance) {
+/// The fault to be continued, with nothing else than its name, mesh and tip lines.
+FaultSurface startingFrom(const FaultSurface& fault, double distance) {
   const std::string stage = "extending fault " + fault.name;
   if (!std::isfinite(distance) || distance < 0.0)
     throw InvalidInputError(stage, "The distance must be zero or positive.");
@@ -77,6 +87,20 @@ FaultSurface extendedAlongDip(const FaultSurface& fault, double distance) {
   FaultSurface result{fault.name, {}, fault.tip_lines};
   result.mesh.vertices = fault.mesh.vertices;
   result.mesh.triangles = fault.mesh.triangles;
+  return result;
+}
+
+Points pointsOf(const TriangleMesh& mesh, const std::vector<Index>& vertices) {
+  Points points;
+  for (const Index v : vertices)
+    points.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
+  return points;
+}
+
+} // namespace
+
+FaultSurface extendedAlongDip(const FaultSurface& fault, double distance) {
+  FaultSurface result = startingFrom(fault, distance);
   if (distance == 0.0)
     return result;
   const detail::DipFrames frames(fault.mesh);
@@ -96,6 +120,30 @@ FaultSurface extendedAlongDip(const FaultSurface& fault, double distance) {
     for (const std::size_t i : {std::size_t{0}, inner.size() - 1})
       extendTipLines(result.tip_lines, fault.mesh.vertices[static_cast<std::size_t>(inner[i])],
                      result.mesh.vertices[first + i]);
+  }
+  removeUnreferencedVertices(result.mesh);
+  return result;
+}
+
+FaultSurface extendedAlongStrike(const FaultSurface& fault, double distance, const GoesOn& goes_on) {
+  FaultSurface result = startingFrom(fault, distance);
+  if (distance == 0.0)
+    return result;
+  const detail::DipFrames frames(fault.mesh);
+  for (const detail::BorderRun& run : detail::outerBorderRuns(fault)) {
+    if (!run.lateral() || run.closed)
+      continue;
+    Points outward;
+    for (const Index h : run.half_edges) {
+      const Vector3 right = frames.at(h / 3).right;
+      outward.push_back(run.kind == detail::BorderKind::Right ? right : Vector3(-right));
+    }
+    const Points end = pointsOf(fault.mesh, detail::verticesOf(fault.mesh, run));
+    if (!goes_on(end, detail::directionsAlong(fault.mesh, run, outward, 0.5 * distance)))
+      continue;
+    const auto first = static_cast<std::ptrdiff_t>(result.mesh.vertices.size());
+    extendRun(result.mesh, run, outward, distance);
+    moveTipLines(result.tip_lines, end, {result.mesh.vertices.begin() + first, result.mesh.vertices.end()});
   }
   removeUnreferencedVertices(result.mesh);
   return result;

@@ -1,15 +1,21 @@
 #pragma once
 
+#include "graben/features/neighbor_grid.h"
 #include "graben/pipeline/horizon_reconstruction.h"
 
 namespace graben {
 
+struct FaultPreparation {
+  double extension = 0.0;     ///< how far faults are continued, in local units
+  double pick_distance = 0.0; ///< mean distance of the picks, in local units
+};
+
 /// Faults in the local frame as surfaces: sticks lofted, meshes cleaned, turned to the picks' z direction, extended along dip
-/// so that a fault whose sticks stop above or below the horizon still cuts it.
-/// \param[in] extension how far, in local units
+/// so that a fault whose sticks stop above or below the horizon still cuts it, and along strike where an end of it lies at the data's edge.
+/// \param[in] picks in the local frame
 /// \param[out] warnings sentences for the user
-std::vector<FaultSurface> prepareFaults(const std::vector<FaultGeometry>& faults, const LocalFrame& frame, double extension,
-                                        std::vector<std::string>& warnings);
+std::vector<FaultSurface> prepareFaults(const std::vector<FaultGeometry>& faults, const LocalFrame& frame, const NeighborGrid& picks,
+                                        const FaultPreparation& options, std::vector<std::string>& warnings);
 
 /// A local fault in the user's frame.
 FaultSurface toUserFrame(const FaultSurface& local, const LocalFrame& frame);

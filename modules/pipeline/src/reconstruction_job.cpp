@@ -73,7 +73,8 @@ void ReconstructionJob::prepareParameters() {
 
 void ReconstructionJob::buildFaults(const std::vector<FaultGeometry>& faults) {
   const double reach = result_.report.used.fault_reach;
-  faults_ = FaultNetwork(prepareFaults(faults, result_.frame, reach, result_.report.warnings), reach);
+  const FaultPreparation preparation{reach, mean_distance_};
+  faults_ = FaultNetwork(prepareFaults(faults, result_.frame, grid_, preparation, result_.report.warnings), reach);
   zone_ = zonePicks(points_, faults_, result_.report.used.zone_width, options_.threads);
 }
 

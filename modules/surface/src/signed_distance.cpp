@@ -102,7 +102,7 @@ bool SignedDistance::enclosed(const Vector3& place, const Vector3& normal, Scrat
   return directions.widestGap() < kWidestGapAtFault;
 }
 
-bool SignedDistance::carriedToFault(const Vector3& foot, Scratch& scratch) const {
+bool SignedDistance::carriedToFault(const Vector3& foot, double near, Scratch& scratch) const {
   const auto first = static_cast<std::size_t>(scratch.visible.front().index);
   const Vector3& pick = grid_.points()[first];
   if ((foot - pick).squaredNorm() > options_.fault_reach * options_.fault_reach)
@@ -110,7 +110,30 @@ bool SignedDistance::carriedToFault(const Vector3& foot, Scratch& scratch) const
   const Vector3& normal = planes_.normals[first];
   // Where the foot lies beyond the fault, what counts is the place where the sheet meets the fault.
   const auto crossing = faults_.firstCrossing(pick, foot);
-  return enclosed(crossing ? Vector3(pick + 0.95 * (crossing->point - pick)) : foot, normal, scratch);
+  const Vector3 place = crossing ? Vector3(pick + 0.95 * (crossing->point - pick)) : foot;
+  return insideOutline(place, normal, near, scratch);
+}
+
+bool SignedDistance::insideOutline(const Vector3& place, const Vector3& normal, double near, Scratch& scratch) const {
+  grid_.within(place, options_.fault_reach, scratch.candidates);
+  Vector3 centre = Vector3::Zero();
+  bool both_sides = false;
+  for (const Neighbor& c : scratch.candidates) {
+    const Vector3& pick = grid_.points()[static_cast<std::size_t>(c.index)];
+    centre += pick;
+    both_sides = both_sides || !sameSide(faults_, pick, place);
+  }
+  if (!both_sides)
+    return enclosed(place, normal, scratch);
+  centre /= static_cast<double>(scratch.candidates.size());
+  const double distance = (centre - place).norm();
+  if (distance <= near)
+    return true;
+  const Vector3 inwards = place + near / distance * (centre - place);
+  Directions directions(normal);
+  for (const Neighbor& c : scratch.candidates)
+    directions.add(grid_.points()[static_cast<std::size_t>(c.index)] - inwards);
+  return directions.widestGap() < M_PI;
 }
 
 bool SignedDistance::supported(const Vector3& foot, const Vector3& viewpoint, bool near_faults, Scratch& scratch) const {
@@ -132,7 +155,7 @@ bool SignedDistance::supported(const Vector3& foot, const Vector3& viewpoint, bo
     return true;
   if (distance < options_.rho_plus_delta && surrounded(foot, normal, scratch))
     return true;
-  return near_faults && options_.fault_reach > 0.0 && carriedToFault(foot, scratch);
+  return near_faults && options_.fault_reach > 0.0 && carriedToFault(foot, options_.overhang, scratch);
 }
 
 FieldValue SignedDistance::at(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const {
@@ -179,7 +202,7 @@ double SignedDistance::distanceBeyond(const Vector3& place, const Vector3& viewp
     return 0.0;
   if (options_.fault_reach > 0.0 && faults_.mayTouch(boxAround(place, options_.fault_reach))) {
     findVisible(place, viewpoint, true, scratch);
-    if (!scratch.visible.empty() && carriedToFault(place, scratch))
+    if (!scratch.visible.empty() && carriedToFault(place, near, scratch))
       return 0.0;
   }
   return distance;

@@ -161,3 +161,25 @@ TEST(Extension, RefusesWhatItCannotUse) {
   EXPECT_THROW(extendedAlongDip(fault, std::numeric_limits<double>::infinity()), InvalidInputError);
   EXPECT_EQ(extendedAlongDip(fault, 0.0).mesh.triangles, fault.mesh.triangles);
 }
+
+TEST(Extension, AlongStrikeGoesOnWhereItIsAskedTo) {
+  const Vector3 strike(800, 300, 0);
+  const Vector3 dip(90, -240, -320); // square to the strike
+  FaultSurface fault = test::plane("plane", {10, 20, 30}, strike, dip, 7, 3);
+  const Vector3 far = Vector3(10, 20, 30) + strike;
+  fault.tip_lines = {{Vector3(10, 20, 30), Vector3(10, 20, 30) + dip}, {far, far + dip}};
+  std::size_t asked = 0;
+  const FaultSurface extended = extendedAlongStrike(fault, 100.0, [&](const Points& end, const Points& outward) {
+    ++asked;
+    EXPECT_EQ(end.size(), outward.size());
+    EXPECT_NEAR(std::abs(outward.front().dot(strike.normalized())), 1.0, 1e-9);
+    return outward.front().dot(strike) > 0.0;
+  });
+  EXPECT_EQ(asked, 2U);
+  expectExtensionIsSound(fault, extended);
+  EXPECT_NEAR(test::areaOf(extended.mesh), (strike.norm() + 100.0) * dip.norm(), 1e-6);
+  EXPECT_EQ(extended.tip_lines[0], fault.tip_lines[0]);
+  EXPECT_LT((extended.tip_lines[1].front() - far - 100.0 * strike.normalized()).norm(), 1e-9);
+  const FaultSurface same = extendedAlongStrike(fault, 100.0, [](const Points&, const Points&) { return false; });
+  EXPECT_EQ(same.mesh.triangles, fault.mesh.triangles);
+}

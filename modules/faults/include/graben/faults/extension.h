@@ -2,6 +2,8 @@
 
 #include "graben/faults/fault_surface.h"
 
+#include <functional>
+
 namespace graben {
 
 /// The fault continued up and down by \a distance along its local dip, for faults whose sticks stop
@@ -16,5 +18,14 @@ namespace graben {
 /// fault's units; 0 returns the fault as it is \throw InvalidInputError if distance is negative or
 /// not finite, or the fault's mesh is not valid
 FaultSurface extendedAlongDip(const FaultSurface& fault, double distance);
+
+/// Whether a fault goes on beyond one of its lateral ends.
+/// \param[in] end     the vertices along the end, in the border's order
+/// \param[in] outward for each of them the unit direction along strike, away from the fault
+using GoesOn = std::function<bool(const Points& end, const Points& outward)>;
+
+/// The fault continued along strike by \a distance at those lateral ends that \a goes_on accepts, for faults that were drawn no
+/// farther than the data reach: such an end is no tip. Tip lines there move out with it. Otherwise as extendedAlongDip.
+FaultSurface extendedAlongStrike(const FaultSurface& fault, double distance, const GoesOn& goes_on);
 
 } // namespace graben

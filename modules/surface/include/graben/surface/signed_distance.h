@@ -12,8 +12,8 @@ struct SignedDistanceOptions {
   double rho_plus_delta = 0.0; ///< the field is undefined where its foot lies farther than this from the data (Hoppe 1992, section 3.4)
   double overhang = 0.0;       ///< farthest the foot may lie beyond the data's edge; 0: rho_plus_delta. Inside a sparse patch, where picks lie
                                ///< all round, rho_plus_delta holds
-  double fault_reach = 0.0;    ///< farthest the field is carried from the last pick towards a fault, where picks and faults close a ring round
-                               ///< the place; 0: no farther than elsewhere
+  double fault_reach = 0.0;    ///< farthest the field is carried from the last pick towards a fault, inside the outline of the picks of both sides
+                               ///< or, where one side has none, where picks and faults close a ring; 0: no farther than elsewhere
   double voxel_size = 1.0;     ///< h: values are asked for within one cell's diagonal of the surface
   std::size_t blend = 1;       ///< planes a value is averaged over; 1: Hoppe's nearest plane alone
 };
@@ -43,7 +43,8 @@ public:
 
   FieldValue at(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
 
-  /// How far a place on the surface lies from the nearest pick; 0 if that is within \a near, if picks lie all round it, or if picks and faults enclose it.
+  /// How far a place on the surface lies from the nearest pick; 0 if that is within \a near, if picks lie all round it, or if it lies near a fault and
+  /// no farther than \a near outside the outline of the picks of both sides.
   /// \param[in] viewpoint from where it is asked which picks count: the place itself, or a place on the sheet's own side
   double distanceBeyond(const Vector3& place, const Vector3& viewpoint, const Vector3& normal, double near, Scratch& scratch) const;
 
@@ -57,7 +58,8 @@ private:
   bool supported(const Vector3& foot, const Vector3& viewpoint, bool near_faults, Scratch& scratch) const;
   bool surrounded(const Vector3& foot, const Vector3& normal, Scratch& scratch) const;
   bool enclosed(const Vector3& place, const Vector3& normal, Scratch& scratch) const;
-  bool carriedToFault(const Vector3& foot, Scratch& scratch) const;
+  bool insideOutline(const Vector3& place, const Vector3& normal, double near, Scratch& scratch) const;
+  bool carriedToFault(const Vector3& foot, double near, Scratch& scratch) const;
 
   const NeighborGrid& grid_;
   const TangentPlanes& planes_;
