@@ -4,7 +4,7 @@
 #include "graben/mesh/bounds.h"
 
 #include <algorithm>
-#include <random>
+#include <cstring>
 
 namespace graben::detail {
 namespace {
@@ -14,30 +14,53 @@ constexpr double POINTS_PER_CELL = 3.5;
 constexpr unsigned MAX_FINE_BITS = 5;
 constexpr std::size_t GRAIN = 1 << 15;
 
-Bounds boundsOf(const Points& points, const std::vector<Index>& indices, unsigned threads) {
-  std::vector<Bounds> parts((indices.size() + GRAIN - 1) / GRAIN);
-  parallelBlocks(indices.size(), GRAIN, threads, [&](std::size_t begin, std::size_t end) {
-    Bounds part;
-    for (std::size_t i = begin; i < end; ++i)
-      part.extend(points[static_cast<std::size_t>(indices[i])]);
-    parts[begin / GRAIN] = part;
-  });
-  Bounds all;
-  for (const Bounds& part : parts)
-    all.extend(part);
-  return all;
+/// A number that looks random and depends on nothing but the point, so that a sample does not depend on the points' order.
+std::uint64_t hashOf(const Vector3& p) {
+  std::array<std::uint64_t, 3> bits{};
+  std::memcpy(bits.data(), p.data(), sizeof bits);
+  std::uint64_t hash = bits[0] * 0x9e3779b97f4a7c15ULL + bits[1] * 0xc2b2ae3d27d4eb4fULL + bits[2] * 0x165667b19e3779f9ULL;
+  hash = (hash ^ hash >> 32) * 0xd6e8feb86659fd93ULL;
+  return hash ^ hash >> 32;
 }
 
-Points samplePoints(const Points& points, const std::vector<Index>& indices) {
+struct Summary {
+  Bounds bounds;
+  std::size_t finite = 0;
   Points sample;
-  std::mt19937_64 random(1);
-  const bool all = indices.size() <= SAMPLE;
-  const std::size_t count = all ? indices.size() : SAMPLE;
-  sample.reserve(count);
-  for (std::size_t i = 0; i < count; ++i)
-    sample.push_back(
-        points[static_cast<std::size_t>(indices[all ? i : random() % indices.size()])]);
-  return sample;
+};
+
+/// The bounds of the finite points, and a sample of about SAMPLE of them: those whose hash is small.
+Summary summarise(const Points& points, unsigned threads) {
+  const double share = static_cast<double>(SAMPLE) / static_cast<double>(points.size());
+  const bool all = share >= 1.0;
+  const auto limit = all ? 0 : static_cast<std::uint64_t>(std::ldexp(share, 64));
+  std::vector<Summary> parts((points.size() + GRAIN - 1) / GRAIN);
+  parallelBlocks(points.size(), GRAIN, threads, [&](std::size_t begin, std::size_t end) {
+    Summary part;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!points[i].allFinite())
+        continue;
+      part.bounds.extend(points[i]);
+      ++part.finite;
+      if (all || hashOf(points[i]) < limit)
+        part.sample.push_back(points[i]);
+    }
+    parts[begin / GRAIN] = std::move(part);
+  });
+  Summary total;
+  for (const Summary& part : parts) {
+    total.bounds.extend(part.bounds);
+    total.finite += part.finite;
+    total.sample.insert(total.sample.end(), part.sample.begin(), part.sample.end());
+  }
+  const std::size_t expected = std::min(SAMPLE, total.finite);
+  if (!all && (total.sample.size() < expected / 4 || total.sample.size() > 4 * expected)) { // many points are the same
+    total.sample.clear();
+    for (std::size_t i = 0; i < points.size(); i += points.size() / SAMPLE)
+      if (points[i].allFinite())
+        total.sample.push_back(points[i]);
+  }
+  return total;
 }
 
 /// The box of the sample without its outermost 2 % on either side of each axis.
@@ -98,14 +121,16 @@ unsigned bitsFor(double cells) {
 
 } // namespace
 
-CellLattice chooseLattice(const Points& points, const std::vector<Index>& indices, double cell_size,
-                          unsigned threads) {
-  const Bounds all = boundsOf(points, indices, threads);
-  const Points sample = samplePoints(points, indices);
+CellLattice chooseLattice(const Points& points, double cell_size, unsigned threads) {
+  const Summary summary = summarise(points, threads);
+  const Points& sample = summary.sample;
+  if (sample.empty())
+    return {};
+  const Bounds& all = summary.bounds;
   const Bounds middle = trimmedBounds(sample);
   if (!(cell_size > 0.0) || !std::isfinite(cell_size)) {
     const Bounds& box = middle.size().maxCoeff() > 0.0 ? middle : all;
-    cell_size = estimateCellSize(sample, box, indices.size());
+    cell_size = estimateCellSize(sample, box, summary.finite);
     if (!(cell_size > 0.0) || !std::isfinite(cell_size))
       cell_size = 1.0;
   }

@@ -54,9 +54,8 @@ private:
   double fine_size_inverse_ = 1.0;
 };
 
-/// The lattice that suits the finite points given by \a indices; cell_size 0: chosen so that an
-/// occupied cell holds about 3 to 4 points.
-CellLattice chooseLattice(const Points& points, const std::vector<Index>& indices, double cell_size,
-                          unsigned threads);
+/// The lattice that suits the finite ones of the points, whatever their order; cell_size 0: chosen so
+/// that an occupied cell holds about 3 to 4 points.
+CellLattice chooseLattice(const Points& points, double cell_size, unsigned threads);
 
 } // namespace graben::detail

@@ -140,7 +140,7 @@ bool gather(const NeighborGridData& data, const Vector3& query, double limit, st
     for (std::size_t i = first; i < end; ++i) {
       const double squared_distance = data.ordered.squaredDistance(i, query);
       squared_distances[count] = squared_distance;
-      indices[count] = data.ordered.index[i];
+      indices[count] = data.ordered.indexOf(i);
       count += squared_distance <= limit ? 1 : 0;
     }
     out.count = count;
@@ -237,7 +237,16 @@ NeighborGrid::NeighborGrid()
 NeighborGrid::NeighborGrid(const Points& points, double cell_size, unsigned threads)
     : points_(&points) {
   auto data = std::make_shared<NeighborGridData>();
-  data->build(points, cell_size, threads);
+  data->lattice = detail::chooseLattice(points, cell_size, threads);
+  data->build(points, threads);
+  data_ = std::move(data);
+}
+
+NeighborGrid::NeighborGrid(const Points& points, const NeighborGrid& like, unsigned threads)
+    : points_(&points) {
+  auto data = std::make_shared<NeighborGridData>();
+  data->lattice = like.data_->lattice;
+  data->build(points, threads);
   data_ = std::move(data);
 }
 
@@ -246,7 +255,11 @@ double NeighborGrid::cellSize() const {
 }
 
 const std::vector<Index>& NeighborGrid::order() const {
-  return data_->ordered.index;
+  return data_->order;
+}
+
+bool NeighborGrid::inOrder() const {
+  return data_->ordered.indices == nullptr;
 }
 
 void NeighborGrid::nearest(const Vector3& query, std::size_t k, std::vector<Neighbor>& out,
@@ -275,9 +288,63 @@ void NeighborGrid::within(const Vector3& query, double radius, std::vector<Neigh
   if (gather(*data_, query, limit, std::numeric_limits<std::size_t>::max(), candidates)) {
     sorted(candidates, out);
   } else {
-    data_->tree.within(data_->ordered, query, limit, out);
+    data_->tree.visitWithin(data_->ordered, query, limit, [&](std::size_t i, double squared_distance) {
+      out.push_back({data_->ordered.indexOf(i), squared_distance});
+    });
     std::sort(out.begin(), out.end(), closer);
   }
+}
+
+void NeighborGrid::runsAround(const Vector3& query, double radius, std::vector<PointRun>& runs) const {
+  runs.clear();
+  if (size() == 0 || !query.allFinite() || !(radius >= 0.0))
+    return;
+  const detail::OrderedPoints& ordered = data_->ordered;
+  const auto add = [&](std::size_t first, std::size_t end) {
+    runs.push_back({ordered.points + first, end - first, ordered.indices == nullptr ? nullptr : ordered.indices + first, static_cast<Index>(first)});
+  };
+  const CellRange range(data_->lattice, query, radius);
+  if (range.blocks() <= MAX_BLOCKS && visitRange(*data_, range, std::numeric_limits<std::size_t>::max(), add))
+    return;
+  runs.clear();
+  std::vector<std::size_t> found;
+  data_->tree.visitWithin(ordered, query, radius * radius, [&](std::size_t i, double) { found.push_back(i); });
+  std::sort(found.begin(), found.end());
+  for (std::size_t i = 0, end = 0; i < found.size(); i = end) {
+    for (end = i + 1; end < found.size() && found[end] == found[end - 1] + 1;)
+      ++end;
+    add(found[i], found[i] + end - i);
+  }
+}
+
+void NeighborGrid::collectWithin(const Vector3& query, double radius, PointsAround& out) const {
+  static thread_local std::vector<PointRun> runs;
+  runsAround(query, radius, runs);
+  const double limit = radius * radius;
+  std::size_t most = 0;
+  for (const PointRun& run : runs)
+    most += run.count;
+  if (most > out.index.size()) {
+    for (std::vector<double>* values : {&out.dx, &out.dy, &out.dz, &out.squared_distance})
+      values->resize(2 * most);
+    out.index.resize(2 * most);
+  }
+  double *dx = out.dx.data(), *dy = out.dy.data(), *dz = out.dz.data(), *squared_distance = out.squared_distance.data();
+  Index* index = out.index.data();
+  std::size_t count = 0;
+  for (const PointRun& run : runs)
+    for (std::size_t i = 0; i < run.count; ++i) {
+      const Vector3& p = run.points[i];
+      const double x = p.x() - query.x(), y = p.y() - query.y(), z = p.z() - query.z();
+      const double squared = x * x + y * y + z * z;
+      dx[count] = x;
+      dy[count] = y;
+      dz[count] = z;
+      squared_distance[count] = squared;
+      index[count] = run.index(i);
+      count += squared <= limit ? 1 : 0;
+    }
+  out.count = count;
 }
 
 Neighbor NeighborGrid::nearestOne(const Vector3& query, double max_distance) const {
@@ -294,7 +361,7 @@ Neighbor NeighborGrid::nearestOne(const Vector3& query, double max_distance) con
         range.blocks() <= MAX_BLOCKS &&
         visitRange(data, range, 1024, [&](std::size_t first, std::size_t end) {
           for (std::size_t i = first; i < end; ++i) {
-            const Neighbor candidate{data.ordered.index[i], data.ordered.squaredDistance(i, query)};
+            const Neighbor candidate{data.ordered.indexOf(i), data.ordered.squaredDistance(i, query)};
             if (closer(candidate, best))
               best = candidate;
           }
@@ -306,6 +373,16 @@ Neighbor NeighborGrid::nearestOne(const Vector3& query, double max_distance) con
                                             : Neighbor{-1, std::numeric_limits<double>::infinity()};
   }
   return data.tree.nearestOne(data.ordered, query, limit);
+}
+
+std::vector<Index> spaceOrder(const Points& points, unsigned threads) {
+  const detail::CellLattice lattice = detail::chooseLattice(points, 0.0, threads);
+  std::vector<std::uint64_t> keys = detail::fineKeys(points, lattice, threads);
+  std::vector<Index> order = detail::sortByKey(points, keys, threads);
+  for (std::size_t i = 0; order.size() < points.size() && i < points.size(); ++i)
+    if (!points[i].allFinite())
+      order.push_back(static_cast<Index>(i));
+  return order;
 }
 
 } // namespace graben

@@ -3,18 +3,20 @@
 #include "graben/core/threads.h"
 #include "radix_sort.h"
 
+#include <algorithm>
+
 namespace graben::detail {
 namespace {
 
 constexpr std::size_t GRAIN = 1 << 15;
 
-std::vector<Index> finiteIndices(const Points& points) {
-  std::vector<Index> indices;
-  indices.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].allFinite())
-      indices.push_back(static_cast<Index>(i));
-  return indices;
+bool areSorted(const std::vector<std::uint64_t>& keys, unsigned threads) {
+  std::vector<char> sorted((keys.size() + GRAIN - 1) / GRAIN);
+  parallelBlocks(keys.size(), GRAIN, threads, [&](std::size_t begin, std::size_t end) {
+    const auto first = keys.begin() + static_cast<std::ptrdiff_t>(begin);
+    sorted[begin / GRAIN] = std::is_sorted(first, keys.begin() + static_cast<std::ptrdiff_t>(std::min(end + 1, keys.size()))) ? 1 : 0;
+  });
+  return std::find(sorted.begin(), sorted.end(), 0) == sorted.end();
 }
 
 void fillOffsets(Block& block, const std::uint64_t* keys, const CellLattice& lattice) {
@@ -30,35 +32,58 @@ void fillOffsets(Block& block, const std::uint64_t* keys, const CellLattice& lat
 
 } // namespace
 
-void NeighborGridData::build(const Points& points, double cell_size, unsigned threads) {
-  const std::vector<Index> indices = finiteIndices(points);
-  if (indices.empty())
-    return;
-  lattice = chooseLattice(points, indices, cell_size, threads);
-  std::vector<KeyedIndex> items(indices.size());
-  parallelFor(items.size(), GRAIN, threads, [&](std::size_t i) {
-    items[i] = {lattice.fineKey(points[static_cast<std::size_t>(indices[i])]), indices[i]};
-  });
+std::vector<std::uint64_t> fineKeys(const Points& points, const CellLattice& lattice, unsigned threads) {
+  constexpr std::uint64_t NONE = ~std::uint64_t(0); // a key has 63 bits
+  std::vector<std::uint64_t> keys(points.size());
+  parallelFor(points.size(), GRAIN, threads,
+              [&](std::size_t i) { keys[i] = points[i].allFinite() ? lattice.fineKey(points[i]) : NONE; });
+  std::uint64_t last = 0;
+  for (std::uint64_t& key : keys)
+    last = key = key == NONE ? last : key;
+  return keys;
+}
+
+std::vector<Index> sortByKey(const Points& points, std::vector<std::uint64_t>& keys, unsigned threads) {
+  std::vector<KeyedIndex> items;
+  items.reserve(points.size());
   std::uint64_t any = 0;
-  for (const KeyedIndex& item : items)
-    any |= item.key;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].allFinite()) {
+      items.push_back({keys[i], static_cast<Index>(i)});
+      any |= keys[i];
+    }
   unsigned bits = 1;
   while (bits < 64 && (any >> bits) != 0)
     ++bits;
   radixSort(items, bits, threads);
-
-  std::vector<std::uint64_t> keys(items.size());
-  for (std::vector<double>* axis : {&ordered.x, &ordered.y, &ordered.z})
-    axis->resize(items.size());
-  ordered.index.resize(items.size());
+  keys.resize(items.size());
+  std::vector<Index> order(items.size());
   parallelFor(items.size(), GRAIN, threads, [&](std::size_t i) {
-    const Vector3& p = points[static_cast<std::size_t>(items[i].index)];
     keys[i] = items[i].key;
-    ordered.index[i] = items[i].index;
-    ordered.x[i] = p.x();
-    ordered.y[i] = p.y();
-    ordered.z[i] = p.z();
+    order[i] = items[i].index;
   });
+  return order;
+}
+
+void NeighborGridData::build(const Points& points, unsigned threads) {
+  std::vector<std::uint64_t> keys = fineKeys(points, lattice, threads);
+  if (areSorted(keys, threads)) {
+    ordered.points = points.data();
+    ordered.count = points.size();
+    order.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points[i].allFinite())
+        order.push_back(static_cast<Index>(i));
+  } else {
+    order = sortByKey(points, keys, threads);
+    ordered.indices = order.data();
+    ordered.copy.resize(order.size());
+    parallelFor(order.size(), GRAIN, threads, [&](std::size_t i) { ordered.copy[i] = points[static_cast<std::size_t>(order[i])]; });
+    ordered.points = ordered.copy.data();
+    ordered.count = ordered.copy.size();
+  }
+  if (order.empty())
+    return;
   buildBlocks(keys, threads);
   buildTable();
   tree.build(ordered, threads);

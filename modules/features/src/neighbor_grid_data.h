@@ -12,7 +12,7 @@ namespace graben::detail {
 struct Block {
   std::uint64_t key = 0;
   std::uint64_t occupied = 0; ///< bit c: cell c holds points
-  std::uint32_t first = 0;    ///< first point in the order
+  std::uint32_t first = 0;    ///< position of the first point in ordered
   std::uint32_t count = 0;
   std::array<std::uint16_t, 65>
       offset{}; ///< of each cell's first point from the block's first; not set in a crowded block
@@ -23,14 +23,16 @@ struct Block {
 
 struct NeighborGridData {
   CellLattice lattice;
-  OrderedPoints ordered;
+  std::vector<Index> order; ///< indices of the finite points in the order of their cells
+  OrderedPoints ordered;    ///< with points that are not finite among them where the caller's are in order
   std::vector<Block> blocks;
   std::vector<std::int32_t>
       table; ///< open-addressing hash: block key -> position in blocks, -1 where free
   unsigned table_shift = 63;
   PointTree tree;
 
-  void build(const Points& points, double cell_size, unsigned threads);
+  /// The lattice is set before.
+  void build(const Points& points, unsigned threads);
 
   const Block* findBlock(std::uint64_t key) const {
     if (blocks.empty())
@@ -50,5 +52,11 @@ private:
   void buildBlocks(const std::vector<std::uint64_t>& keys, unsigned threads);
   void buildTable();
 };
+
+/// The key of each point; a point that is not finite has the key of the one before it.
+std::vector<std::uint64_t> fineKeys(const Points& points, const CellLattice& lattice, unsigned threads);
+
+/// Sorts the finite points by key, in place; equals by index. Returns their indices.
+std::vector<Index> sortByKey(const Points& points, std::vector<std::uint64_t>& keys, unsigned threads);
 
 } // namespace graben::detail

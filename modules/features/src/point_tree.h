@@ -2,15 +2,23 @@
 
 #include "graben/features/neighbor_grid.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
 namespace graben::detail {
 
-/// Coordinates of points in the order of their cells, one array per axis.
+/// Points in the order of their cells: a copy, or the caller's own where they are in order.
 struct OrderedPoints {
-  std::vector<double> x, y, z;
-  std::vector<Index> index; ///< of the point in the caller's cloud
+  const Vector3* points = nullptr;
+  std::size_t count = 0;
+  const Index* indices = nullptr; ///< of the points in the caller's cloud; null if they are in order
+  Points copy;                    ///< empty if they are in order
 
+  Index indexOf(std::size_t i) const { return indices == nullptr ? static_cast<Index>(i) : indices[i]; }
   double squaredDistance(std::size_t i, const Vector3& q) const {
-    const double dx = x[i] - q.x(), dy = y[i] - q.y(), dz = z[i] - q.z();
+    const Vector3& p = points[i];
+    const double dx = p.x() - q.x(), dy = p.y() - q.y(), dz = p.z() - q.z();
     return dx * dx + dy * dy + dz * dz;
   }
 };
@@ -39,14 +47,32 @@ public:
   /// if there is none.
   Neighbor nearestOne(const OrderedPoints& points, const Vector3& query, double limit) const;
 
-  /// All points with squared distance of at most \a limit, in no order; \a out is overwritten.
-  void within(const OrderedPoints& points, const Vector3& query, double limit,
-              std::vector<Neighbor>& out) const;
+  /// Calls visit(i, squared distance) for all points with squared distance of at most \a limit.
+  template <typename Visit>
+  void visitWithin(const OrderedPoints& points, const Vector3& query, double limit, const Visit& visit) const {
+    traverse(
+        points.count, query, [&](double squared_distance, Index) { return !(squared_distance <= limit); },
+        [&](std::size_t i) {
+          const double squared_distance = points.squaredDistance(i, query);
+          if (squared_distance <= limit)
+            visit(i, squared_distance);
+        });
+  }
 
 private:
+  static constexpr std::size_t FAN = 8;
+  static constexpr std::size_t MAX_STACK = FAN * 12; // 12 levels of 8 hold more points than an Index counts
+
   struct Node {
-    Vector3 low, high;
-    Index least_index;
+    Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
+    Vector3 high = -low; ///< the box of a node without points is infinitely far from everything
+    Index least_index = std::numeric_limits<Index>::max();
+
+    void extend(const Node& other) {
+      low = low.cwiseMin(other.low);
+      high = high.cwiseMax(other.high);
+      least_index = std::min(least_index, other.least_index);
+    }
     double squaredDistance(const Vector3& q) const {
       // The order of operations of a point's distance, so that rounding never puts the box behind a
       // point in it.
@@ -54,11 +80,59 @@ private:
       return d.x() * d.x() + d.y() * d.y() + d.z() * d.z();
     }
   };
+  struct Entry {
+    double squared_distance;
+    Index least_index;
+    std::uint32_t level;
+    std::size_t node;
+    bool isAfter(const Entry& other) const {
+      return squared_distance > other.squared_distance ||
+             (squared_distance == other.squared_distance && least_index > other.least_index);
+    }
+  };
+
   template <typename Prune, typename Visit>
   void traverse(std::size_t points, const Vector3& query, const Prune& prune,
                 const Visit& visit) const;
 
   std::vector<std::vector<Node>> levels_; ///< leaves first, root last
 };
+
+/// Nearest nodes first; prune(squared distance, least index) is asked before a node is opened,
+/// visit(i) gets each point of an opened leaf.
+template <typename Prune, typename Visit>
+void PointTree::traverse(std::size_t points, const Vector3& query, const Prune& prune,
+                         const Visit& visit) const {
+  if (levels_.empty())
+    return;
+  std::array<Entry, MAX_STACK> stack;
+  const Node& root = levels_.back().front();
+  stack[0] = {root.squaredDistance(query), root.least_index,
+              static_cast<std::uint32_t>(levels_.size() - 1), 0};
+  std::size_t top = 1;
+  while (top > 0) {
+    const Entry entry = stack[--top];
+    if (prune(entry.squared_distance, entry.least_index))
+      continue;
+    const std::size_t begin = entry.node * FAN;
+    if (entry.level == 0) {
+      for (std::size_t i = begin; i < std::min(points, begin + FAN); ++i)
+        visit(i);
+      continue;
+    }
+    const std::vector<Node>& children = levels_[entry.level - 1];
+    const std::size_t first = top;
+    for (std::size_t c = begin; c < std::min(children.size(), begin + FAN); ++c) {
+      const Entry child{children[c].squaredDistance(query), children[c].least_index,
+                        entry.level - 1, c};
+      if (prune(child.squared_distance, child.least_index))
+        continue;
+      std::size_t at = top++;
+      for (; at > first && child.isAfter(stack[at - 1]); --at)
+        stack[at] = stack[at - 1];
+      stack[at] = child;
+    }
+  }
+}
 
 } // namespace graben::detail

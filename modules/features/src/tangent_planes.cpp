@@ -18,16 +18,22 @@ TangentPlanes noPlanes(std::size_t count) {
   planes.centres.assign(count, Vector3::Constant(NONE));
   planes.normals.assign(count, Vector3::Constant(NONE));
   planes.curvature.assign(count, static_cast<float>(NONE));
+  planes.reach.assign(count, static_cast<float>(NONE));
   return planes;
 }
 
-void setPlane(TangentPlanes& planes, std::size_t i,
-              const std::optional<detail::FittedPlane>& plane) {
+/// Fits plane number \a i, of the given place, to the points given by index.
+void fit(const Points& points, const std::vector<Index>& neighbors, const Vector3& place, std::size_t i, TangentPlanes& planes) {
+  const std::optional<detail::FittedPlane> plane = detail::fitPlane(points, neighbors);
   if (!plane)
     return;
+  double farthest = 0.0;
+  for (const Index n : neighbors)
+    farthest = std::max(farthest, (points[static_cast<std::size_t>(n)] - place).squaredNorm());
   planes.centres[i] = plane->centre;
   planes.normals[i] = plane->normal;
   planes.curvature[i] = static_cast<float>(plane->curvature);
+  planes.reach[i] = static_cast<float>(std::sqrt(farthest));
 }
 
 void check(const NeighborGrid& grid, const TangentPlaneOptions& options) {
@@ -67,8 +73,8 @@ TangentPlanes estimateTangentPlanes(const NeighborGrid& grid, const FaultNetwork
     std::vector<Index> neighbors;
     for (std::size_t i = begin; i < end; ++i) {
       grower.grow(order[i], neighbors);
-      setPlane(planes, static_cast<std::size_t>(order[i]),
-               detail::fitPlane(grid.points(), neighbors));
+      const auto pick = static_cast<std::size_t>(order[i]);
+      fit(grid.points(), neighbors, grid.points()[pick], pick, planes);
     }
   });
   return planes;
@@ -83,7 +89,7 @@ TangentPlanes estimateTangentPlanesAt(const NeighborGrid& grid, const FaultNetwo
     std::vector<Index> neighbors;
     for (std::size_t i = begin; i < end; ++i) {
       grower.growAt(places[i], neighbors);
-      setPlane(planes, i, detail::fitPlane(grid.points(), neighbors));
+      fit(grid.points(), neighbors, places[i], i, planes);
     }
   });
   return planes;

@@ -36,18 +36,32 @@ void expectSame(const std::vector<Neighbor>& found, const std::vector<Neighbor>&
   }
 }
 
+/// What a query without an order finds, sorted.
+std::vector<Neighbor> collected(const NeighborGrid& grid, const Vector3& query, double radius) {
+  PointsAround around;
+  grid.collectWithin(query, radius, around);
+  std::vector<Neighbor> found;
+  for (std::size_t i = 0; i < around.count; ++i) {
+    EXPECT_EQ(Vector3(around.dx[i], around.dy[i], around.dz[i]), grid.points()[static_cast<std::size_t>(around.index[i])] - query);
+    found.push_back({around.index[i], around.squared_distance[i]});
+  }
+  std::sort(found.begin(), found.end(), [](const Neighbor& a, const Neighbor& b) {
+    return std::make_pair(a.squared_distance, a.index) < std::make_pair(b.squared_distance, b.index);
+  });
+  return found;
+}
+
 /// All kinds of queries about some points of the cloud and some off it, against a search through
 /// all points.
-void checkAgainstBruteForce(const Points& points, double length) {
+void checkAgainstBruteForce(const NeighborGrid& grid, double length) {
   constexpr std::size_t ALL = std::numeric_limits<std::size_t>::max();
   constexpr double ANYWHERE = std::numeric_limits<double>::infinity();
-  const NeighborGrid grid(points);
+  const Points& points = grid.points();
   ASSERT_GT(grid.cellSize(), 0.0);
   test::Random random(7);
   std::vector<Neighbor> found;
   for (int q = 0; q < 60; ++q) {
-    Vector3 query =
-        points[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(points.size())))];
+    Vector3 query = points[static_cast<std::size_t>(grid.order()[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(grid.size())))])];
     if (q % 3 == 1)
       query += Vector3(random.normal(length), random.normal(length), random.normal(length));
     if (q % 3 == 2)
@@ -59,6 +73,7 @@ void checkAgainstBruteForce(const Points& points, double length) {
       }
     grid.within(query, 2.0 * length, found);
     ASSERT_NO_FATAL_FAILURE(expectSame(found, bruteForce(points, query, ALL, 2.0 * length)));
+    ASSERT_NO_FATAL_FAILURE(expectSame(collected(grid, query, 2.0 * length), found));
     for (const double max_distance : {ANYWHERE, length}) {
       const Neighbor one = grid.nearestOne(query, max_distance);
       const std::vector<Neighbor> expected = bruteForce(points, query, 1, max_distance);
@@ -68,6 +83,10 @@ void checkAgainstBruteForce(const Points& points, double length) {
       }
     }
   }
+}
+
+void checkAgainstBruteForce(const Points& points, double length) {
+  checkAgainstBruteForce(NeighborGrid(points), length);
 }
 
 TEST(NeighborGrid, SheetAgainstBruteForce) {
@@ -175,6 +194,55 @@ TEST(NeighborGrid, NotFinitePointsAreLeftOut) {
   grid.within(Vector3(0, NAN_VALUE, 0), 10, found);
   EXPECT_TRUE(found.empty());
   EXPECT_EQ(grid.nearestOne(Vector3(0, NAN_VALUE, 0)).index, -1);
+}
+
+Points inSpaceOrder(const Points& points) {
+  Points ordered;
+  for (const Index i : spaceOrder(points))
+    ordered.push_back(points[static_cast<std::size_t>(i)]);
+  return ordered;
+}
+
+TEST(NeighborGrid, PointsInSpaceOrderStayInPlace) {
+  const Points sheet = test::wavySheet(20000, 1000.0, 1.0);
+  EXPECT_FALSE(NeighborGrid(sheet).inOrder());
+  Points points = sheet;
+  points[17].setConstant(NAN_VALUE);
+  points = inSpaceOrder(points);
+  EXPECT_TRUE(points.back().hasNaN());
+  const NeighborGrid grid(points);
+  EXPECT_TRUE(grid.inOrder());
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    ASSERT_EQ(grid.order()[i], static_cast<Index>(i));
+
+  // With points taken out on the way they are still where they were.
+  for (std::size_t i = 0; i < 4000; i += 7)
+    points[i].setConstant(NAN_VALUE);
+  points.erase(points.begin() + 4000, points.end());
+  const NeighborGrid fewer(points, grid);
+  EXPECT_TRUE(fewer.inOrder());
+  EXPECT_EQ(fewer.cellSize(), grid.cellSize());
+  EXPECT_EQ(fewer.size(), 4000U - (3999U / 7U + 1U));
+  checkAgainstBruteForce(fewer, 40.0);
+}
+
+TEST(NeighborGrid, OrderDoesNotDependOnThePointsOrder) {
+  Points points = test::wavySheet(40000, 1000.0, 1.0);
+  const Points ordered = inSpaceOrder(points);
+  const double cell_size = NeighborGrid(points).cellSize();
+  std::reverse(points.begin(), points.end());
+  EXPECT_EQ(NeighborGrid(points).cellSize(), cell_size);
+  const Points again = inSpaceOrder(points);
+  for (std::size_t i = 0; i < points.size(); ++i) // points of one place on the curve may change theirs
+    ASSERT_LT((again[i] - ordered[i]).norm(), 0.1 * cell_size);
+}
+
+TEST(NeighborGrid, SpaceOrderOfHostileClouds) {
+  EXPECT_TRUE(spaceOrder({}).empty());
+  EXPECT_EQ(spaceOrder(Points(3, Vector3::Constant(NAN_VALUE))).size(), 3U);
+  const Points same(100000, Vector3(1.0, 2.0, 3.0));
+  EXPECT_EQ(spaceOrder(same).back(), 99999);
+  EXPECT_TRUE(NeighborGrid(same).inOrder());
 }
 
 TEST(NeighborGrid, EmptyAndOnePoint) {

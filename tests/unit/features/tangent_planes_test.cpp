@@ -163,6 +163,28 @@ TEST(TangentPlanes, MaxDistanceLimitsNeighbours) {
   EXPECT_EQ(neighbors.size(), 13U);
 }
 
+TEST(TangentPlanes, ReachIsTheDistanceToTheFarthestNeighbour) {
+  test::ThrownFold fold;
+  fold.points.emplace_back(1e6, 0.0, 0.0);
+  fold.points.emplace_back(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  const NeighborGrid grid(fold.points);
+  TangentPlaneOptions options;
+  options.rho_plus_delta = 30.0;
+  const TangentPlanes planes = estimateTangentPlanes(grid, fold.faults, options);
+  std::vector<Index> neighbors;
+  for (std::size_t i = 0; i < fold.points.size(); ++i) {
+    if (std::isnan(planes.curvature[i])) {
+      EXPECT_TRUE(std::isnan(planes.reach[i]));
+      continue;
+    }
+    growNeighborhood(grid, fold.faults, static_cast<Index>(i), options, neighbors);
+    double farthest = 0.0;
+    for (const Index n : neighbors)
+      farthest = std::max(farthest, (fold.points[static_cast<std::size_t>(n)] - fold.points[i]).norm());
+    ASSERT_FLOAT_EQ(planes.reach[i], static_cast<float>(farthest));
+  }
+}
+
 TEST(TangentPlanes, TheSameForAnyNumberOfThreads) {
   const Points points = test::wavySheet(20000, 1000.0, 1.0);
   const NeighborGrid grid(points);

@@ -14,6 +14,8 @@ struct TangentPlanes {
   Points normals; ///< n: unit normal; NaN where there is no plane
   std::vector<float> curvature; ///< surface variation, smallest eigenvalue over the sum of all, 0
                                 ///< to 1/3; NaN where there is no plane
+  std::vector<float> reach;     ///< distance from the pick to the farthest of the neighbours its plane was fitted to, in the picks' units (away
+                                ///< from faults and gaps to the K-th nearest point, itself included); NaN where there is no plane
 };
 
 struct TangentPlaneOptions {
