@@ -1,0 +1,1 @@
+"""What the commands sweep, ablation and pictures share."""
