@@ -79,6 +79,13 @@ def _synthesized(commands, folder, options):
     return sample
 
 
+def _replaced(options, others):
+    """The options with the values of others; both are lists of name, value, name, value ..."""
+    pairs = dict(zip(options[::2], options[1::2]))
+    pairs.update(zip(others[::2], others[1::2]))
+    return [word for pair in pairs.items() for word in pair]
+
+
 class Sample:
     """The files of one case and seed."""
 
@@ -94,7 +101,7 @@ class Sample:
         self.cutoffs = sorted(self.folder.glob("cutoff_*.pol"))
         self.judging_faults = sorted(self.folder.glob("fault_*.ts"))
         if case.judged_by:
-            other = _synthesized(commands, folder, [*options, "--no-truth", *case.judged_by])
+            other = _synthesized(commands, folder, ["--no-truth", *_replaced(options, case.judged_by)])
             self.judging_faults = sorted(other.glob("fault_*.ts"))
 
     def evaluate(self, commands, mesh, voxel_size, report):
