@@ -15,6 +15,7 @@ namespace graben {
 namespace {
 
 constexpr std::size_t buffer_size = 1 << 20;
+constexpr std::size_t large_piece = 1 << 16; ///< not worth copying into the buffer
 
 std::string reason() {
   return std::strerror(errno);
@@ -70,9 +71,9 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::write(std::string_view bytes) {
-  if (buffer_.size() + bytes.size() > buffer_size)
+  if (buffer_.size() + bytes.size() > buffer_size || bytes.size() >= large_piece)
     flush();
-  if (bytes.size() >= buffer_size)
+  if (bytes.size() >= large_piece)
     send(bytes);
   else
     buffer_.append(bytes);

@@ -8,6 +8,7 @@
 #include "graben/core/errors.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace graben {
 namespace {
@@ -24,11 +25,24 @@ std::string nameOf(const GocadObject& object, const std::string& path) {
   return object.name.empty() ? stemOf(path) : object.name;
 }
 
-std::vector<std::string> notesOn(const GocadObject& object) {
+std::vector<std::string> notesOn(const GocadObject& object, bool properties_used = false) {
   std::vector<std::string> notes;
-  if (object.has_properties)
+  if (object.has_other_properties || (!properties_used && !object.properties.empty()))
     notes.push_back("vertex properties ignored");
   return notes;
+}
+
+/// The property piece becomes the label, the others scalars.
+void takeProperties(GocadObject& object, TriangleMesh& mesh) {
+  for (GocadProperty& property : object.properties) {
+    if (property.name != "piece") {
+      mesh.scalars[property.name] = std::move(property.values);
+      continue;
+    }
+    mesh.piece.clear();
+    for (const float value : property.values)
+      mesh.piece.push_back(std::abs(value) < 2e9F ? static_cast<Index>(value) : 0);
+  }
 }
 
 /// Pieces where the surface has several TFACEs and none shares a vertex with another.
@@ -77,8 +91,10 @@ std::vector<MeshInput> readGocadMeshes(std::string_view text, const std::string&
   std::vector<GocadObject> objects = readGocadObjects(text, path);
   std::vector<MeshInput> meshes;
   for (GocadObject& object : objects)
-    if (object.isSurface() && !object.triangles.empty())
-      meshes.push_back({nameOf(object, path), meshOf(object), object.z_positive, notesOn(object)});
+    if (object.isSurface() && !object.triangles.empty()) {
+      meshes.push_back({nameOf(object, path), meshOf(object), object.z_positive, notesOn(object, true)});
+      takeProperties(object, meshes.back().mesh);
+    }
   if (meshes.empty())
     throw ParseError(path, 0, "holds no TSurf with triangles (found: " + typesOf(objects) + ")");
   return meshes;

@@ -5,7 +5,10 @@
 
 #include "graben/core/errors.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace graben {
@@ -18,6 +21,12 @@ using Words = std::vector<std::string_view>;
 struct Reference {
   std::size_t line;
   std::array<std::int64_t, 3> ids;
+};
+
+/// One entry of PROPERTIES, with what NO_DATA_VALUES and ESIZES say of it.
+struct DeclaredProperty {
+  double no_data = std::numeric_limits<double>::quiet_NaN();
+  std::int64_t size = 1;
 };
 
 class GocadParser {
@@ -33,6 +42,7 @@ private:
   std::int64_t id(std::size_t word) const;
   void begin();
   void finish();
+  void dropVectorProperties();
   void parseHeader();
   void skipBlock();
   void parseLine();
@@ -40,6 +50,8 @@ private:
   void addVertex(std::int64_t id, const Vector3& position);
   void parseVertex(std::size_t coordinates);
   void parseAtom();
+  void declareProperties(std::string_view key);
+  void parseProperties(std::size_t first_word);
   void parseTriangle();
   void parseSegment();
   Index lookUp(std::int64_t id, std::size_t line) const;
@@ -53,6 +65,7 @@ private:
   std::vector<GocadObject> objects_;
   GocadObject object_;
   bool open_ = false;
+  std::vector<DeclaredProperty> declared_;
   std::unordered_map<std::int64_t, Index> index_of_id_;
   std::vector<Reference> triangles_;
   std::vector<Reference> segments_;
@@ -80,17 +93,27 @@ void GocadParser::begin() {
 
 void GocadParser::finish() {
   if (open_) {
+    dropVectorProperties();
     resolveTriangles();
     resolveLines();
     objects_.push_back(std::move(object_));
   }
   open_ = false;
   object_ = {};
+  declared_.clear();
   index_of_id_.clear();
   triangles_.clear();
   segments_.clear();
   line_vertices_.clear();
   line_segments_.clear();
+}
+
+void GocadParser::dropVectorProperties() {
+  for (std::size_t i = declared_.size(); i-- > 0;)
+    if (declared_[i].size > 1) {
+      object_.properties.erase(object_.properties.begin() + static_cast<std::ptrdiff_t>(i));
+      object_.has_other_properties = true;
+    }
 }
 
 /// `HEADER {`, lines `key:value`, `}`; also all on one line.
@@ -143,6 +166,37 @@ void GocadParser::parseAtom() {
   addVertex(id(1), Vector3(object_.vertices[static_cast<std::size_t>(found->second)]));
 }
 
+void GocadParser::declareProperties(std::string_view key) {
+  if (key == "PROPERTIES") {
+    declared_.assign(words_.size() - 1, {});
+    object_.properties.clear();
+    for (std::size_t i = 1; i < words_.size(); ++i)
+      object_.properties.push_back({std::string(words_[i]), std::vector<float>(object_.vertices.size(), std::nanf(""))});
+    return;
+  }
+  for (std::size_t i = 0; i < declared_.size() && i + 1 < words_.size(); ++i) {
+    if (key == "ESIZES" && (!parseInteger(words_[i + 1], declared_[i].size) || declared_[i].size < 1))
+      fail("ESIZES needs the number of values of each property");
+    if (key == "NO_DATA_VALUES")
+      parseField(words_[i + 1], declared_[i].no_data);
+  }
+}
+
+/// The values of the vertex just added, from a word of the line on.
+void GocadParser::parseProperties(std::size_t first_word) {
+  object_.has_other_properties |= declared_.empty() && first_word < words_.size() && words_[first_word] != "CNXYZ";
+  std::size_t word = first_word;
+  for (std::size_t i = 0; i < declared_.size(); ++i) {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    if (word < words_.size() && parseField(words_[word], value) && value == declared_[i].no_data)
+      value = std::numeric_limits<double>::quiet_NaN();
+    object_.properties[i].values.push_back(static_cast<float>(value));
+    word = static_cast<std::size_t>(declared_[i].size) < words_.size() - std::min(word, words_.size())
+               ? word + static_cast<std::size_t>(declared_[i].size)
+               : words_.size();
+  }
+}
+
 void GocadParser::parseTriangle() {
   triangles_.push_back({reader_.number(), {id(1), id(2), id(3)}});
 }
@@ -153,10 +207,13 @@ void GocadParser::parseSegment() {
 
 void GocadParser::parseGeometry(std::string_view key) {
   if (key == "VRTX" || key == "PVRTX") {
-    object_.has_properties |= key == "PVRTX";
     parseVertex(2);
+    parseProperties(key == "PVRTX" ? 5 : words_.size());
   } else if (key == "ATOM" || key == "PATOM") {
     parseAtom();
+    parseProperties(key == "PATOM" ? 3 : words_.size());
+  } else if (key == "PROPERTIES" || key == "NO_DATA_VALUES" || key == "ESIZES") {
+    declareProperties(key);
   } else if (key == "TRGL") {
     parseTriangle();
   } else if (key == "SEG") {

@@ -9,6 +9,12 @@
 
 namespace graben {
 
+/// A vertex property, one number per vertex; NaN where the file says "no data" or nothing.
+struct GocadProperty {
+  std::string name;
+  std::vector<float> values;
+};
+
 /// One `GOCAD <Type> 1 ... END` object, values as written.
 struct GocadObject {
   std::string type; ///< as written: TSurf, PLine, VSet, ...
@@ -19,7 +25,8 @@ struct GocadObject {
   std::vector<Triangle> triangles;
   std::vector<std::size_t> face_starts;  ///< first triangle of each TFACE
   std::vector<std::vector<Index>> lines; ///< polylines: one per ILINE, or per chain of SEGs
-  bool has_properties = false;
+  std::vector<GocadProperty> properties;
+  bool has_other_properties = false; ///< that are not read: vectors, values without a declaration
 
   bool isSurface() const;
   bool isLines() const;

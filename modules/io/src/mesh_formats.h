@@ -3,6 +3,7 @@
 #include "graben/io/mesh_reader.h"
 #include "graben/io/mesh_writer.h"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,8 @@ MeshInput readVtkMesh(std::string_view bytes, const std::string& path);
 MeshInput readVtpMesh(std::string_view bytes, const std::string& path);
 
 /// One writer per format; the mesh is valid.
-void writePlyMesh(const std::string& path, const TriangleMesh& mesh);
+void writePlyMesh(const std::string& path, const TriangleMesh& mesh,
+                  const MeshWriteOptions& options);
 void writeObjMesh(const std::string& path, const TriangleMesh& mesh,
                   const MeshWriteOptions& options);
 void writeStlMesh(const std::string& path, const TriangleMesh& mesh,
@@ -27,6 +29,12 @@ void writeGocadMesh(const std::string& path, const TriangleMesh& mesh,
                     const MeshWriteOptions& options);
 void writeVtkMesh(const std::string& path, const TriangleMesh& mesh,
                   const MeshWriteOptions& options);
-void writeVtpMesh(const std::string& path, const TriangleMesh& mesh);
+void writeVtpMesh(const std::string& path, const TriangleMesh& mesh,
+                  const MeshWriteOptions& options);
+
+/// A scalar that is a flag: 1 where it is true.
+inline std::uint8_t flagOf(float value) {
+  return value > 0.5F ? 1 : 0;
+}
 
 } // namespace graben

@@ -90,14 +90,8 @@ TriangleMesh readMesh(const std::string& path) {
   if (meshes.size() > 1)
     labelParts(meshes);
   TriangleMesh whole = std::move(meshes.front().mesh);
-  for (std::size_t i = 1; i < meshes.size(); ++i) {
-    const TriangleMesh& part = meshes[i].mesh;
-    const auto offset = static_cast<Index>(whole.vertices.size());
-    whole.vertices.insert(whole.vertices.end(), part.vertices.begin(), part.vertices.end());
-    whole.piece.insert(whole.piece.end(), part.piece.begin(), part.piece.end());
-    for (const Triangle& t : part.triangles)
-      whole.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
-  }
+  for (std::size_t i = 1; i < meshes.size(); ++i)
+    append(whole, meshes[i].mesh);
   return whole;
 }
 

@@ -26,18 +26,21 @@ double floatStep(const TriangleMesh& mesh) {
   return std::ldexp(1.0, std::ilogb(std::max(largest, 1e-30)) - 23);
 }
 
-std::vector<std::string> lossNotes(const std::string& extension, const TriangleMesh& mesh) {
+std::vector<std::string> lossNotes(const std::string& extension, const TriangleMesh& mesh, const MeshWriteOptions& options) {
   std::vector<std::string> notes;
   const std::string place = extension + " files ";
-  if (extension == ".stl" && floatStep(mesh) > 1e-3)
+  const bool stl = extension == ".stl";
+  const bool plain_gocad = extension == ".ts" && !options.gocad_properties;
+  const std::string none = plain_gocad ? "for strict readers hold no properties, so not" : "have no place for";
+  if (stl && floatStep(mesh) > 1e-3)
     notes.push_back(place + "hold float32: coordinates were rounded to steps of up to " +
                     std::to_string(floatStep(mesh)));
-  if (!mesh.piece.empty() && (extension == ".stl" || extension == ".ts"))
-    notes.push_back(place + "have no place for the piece label");
-  if (!mesh.normals.empty() && (extension == ".stl" || extension == ".ts"))
+  if (!mesh.piece.empty() && (stl || plain_gocad))
+    notes.push_back(place + none + " the piece label");
+  if (!mesh.normals.empty() && (stl || extension == ".ts"))
     notes.push_back(place + "have no place for vertex normals");
-  if (!mesh.scalars.empty() && (extension == ".stl" || extension == ".ts" || extension == ".obj"))
-    notes.push_back(place + "have no place for vertex scalars");
+  if (!mesh.scalars.empty() && (stl || plain_gocad || extension == ".obj"))
+    notes.push_back(place + none + " vertex scalars");
   return notes;
 }
 
@@ -58,18 +61,18 @@ std::vector<std::string> writeMesh(const std::string& path, const TriangleMesh& 
                                                    "' is not known; use one of " + formatList());
   validate(mesh, "writing " + path);
   if (extension == ".ply")
-    writePlyMesh(path, mesh);
+    writePlyMesh(path, mesh, options);
   else if (extension == ".vtk")
     writeVtkMesh(path, mesh, options);
   else if (extension == ".vtp")
-    writeVtpMesh(path, mesh);
+    writeVtpMesh(path, mesh, options);
   else if (extension == ".obj")
     writeObjMesh(path, mesh, options);
   else if (extension == ".stl")
     writeStlMesh(path, mesh, options);
   else
     writeGocadMesh(path, mesh, options);
-  return lossNotes(extension, mesh);
+  return lossNotes(extension, mesh, options);
 }
 
 } // namespace graben

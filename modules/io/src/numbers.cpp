@@ -33,6 +33,45 @@ bool isNoDataWord(std::string_view field) {
   return field.size() < 8 && std::find(words.begin(), words.end(), toLower(field)) != words.end();
 }
 
+template <typename Number>
+void appendShortest(std::string& text, Number value) {
+  std::array<char, 64> digits{};
+  const Number size = std::abs(value);
+  const bool usual = size == 0 || (size >= Number(1e-7) && size < Number(1e17));
+  const auto format = usual ? std::chars_format::fixed : std::chars_format::scientific;
+  const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value, format);
+  text.append(digits.data(), result.ptr);
+}
+
+/// Most coordinates have few decimals. With at most 15 digits a decimal that reads back as the number is the only one so
+/// short, so it is the shortest.
+/// \returns false if the number needs more than six decimals or 15 digits
+bool appendFewDecimals(std::string& text, double value) {
+  constexpr double unit = 1e6;
+  constexpr std::int64_t whole_unit = 1000000;
+  const double size = std::abs(value);
+  if (!(size < 1e9))
+    return false;
+  const auto units = static_cast<std::int64_t>(size * unit + 0.5);
+  if (static_cast<double>(units) / unit != size)
+    return false;
+  std::array<char, 24> digits{};
+  char* end = digits.data();
+  if (std::signbit(value))
+    *end++ = '-';
+  end = std::to_chars(end, digits.data() + digits.size(), units / whole_unit).ptr;
+  std::int64_t fraction = units % whole_unit;
+  if (fraction != 0) {
+    *end = '.';
+    for (char* place = end + 6; place != end; --place, fraction /= 10)
+      *place = static_cast<char>('0' + fraction % 10);
+    for (end += 7; end[-1] == '0';)
+      --end;
+  }
+  text.append(digits.data(), end);
+  return true;
+}
+
 } // namespace
 
 const char* parseNumber(const char* begin, const char* end, double& value) {
@@ -66,12 +105,12 @@ bool parseInteger(std::string_view field, std::int64_t& value) {
 }
 
 void appendNumber(std::string& text, double value) {
-  std::array<char, 64> digits{};
-  const double size = std::abs(value);
-  const bool usual = size == 0.0 || (size >= 1e-7 && size < 1e17);
-  const auto format = usual ? std::chars_format::fixed : std::chars_format::scientific;
-  const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value, format);
-  text.append(digits.data(), result.ptr);
+  if (!appendFewDecimals(text, value))
+    appendShortest(text, value);
+}
+
+void appendNumber(std::string& text, float value) {
+  appendShortest(text, value);
 }
 
 void appendNumber(std::string& text, std::int64_t value) {

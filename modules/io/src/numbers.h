@@ -18,9 +18,10 @@ bool parseField(std::string_view field, double& value);
 /// True if all of \a field is one integer.
 bool parseInteger(std::string_view field, std::int64_t& value);
 
-/// Appends the shortest text that reads back as the same double, without exponent for usual
+/// Appends the shortest text that reads back as the same number, without exponent for usual
 /// magnitudes.
 void appendNumber(std::string& text, double value);
+void appendNumber(std::string& text, float value);
 void appendNumber(std::string& text, std::int64_t value);
 
 std::string toLower(std::string_view text);

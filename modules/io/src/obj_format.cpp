@@ -2,6 +2,7 @@
 #include "line_reader.h"
 #include "mesh_formats.h"
 #include "numbers.h"
+#include "row_writer.h"
 
 #include "graben/core/errors.h"
 #include "graben/io/atomic_file.h"
@@ -116,16 +117,33 @@ private:
   std::size_t polygons_ = 0;
 };
 
-void writeVectors(AtomicFile& file, const char* key, const Points& vectors) {
-  std::string line;
-  for (const Vector3& v : vectors) {
-    line = key;
-    for (const double component : v) {
-      line += ' ';
-      appendNumber(line, component);
+void writeVectors(AtomicFile& file, const char* key, const Points& vectors, unsigned threads) {
+  writeRows(file, vectors.size(), threads, [&](std::size_t begin, std::size_t end, std::string& text) {
+    for (std::size_t i = begin; i < end; ++i) {
+      text += key;
+      for (const double component : vectors[i]) {
+        text += ' ';
+        appendNumber(text, component);
+      }
+      text += '\n';
     }
-    file.write(line += '\n');
+  });
+}
+
+void appendFace(const TriangleMesh& mesh, std::size_t t, std::string& text) {
+  const auto pieceOf = [&](std::size_t triangle) { return mesh.piece[static_cast<std::size_t>(mesh.triangles[triangle][0])]; };
+  if (!mesh.piece.empty() && (t == 0 || pieceOf(t) != pieceOf(t - 1)))
+    text += "g piece_" + std::to_string(pieceOf(t)) + "\n";
+  text += 'f';
+  for (const Index v : mesh.triangles[t]) {
+    text += ' ';
+    appendNumber(text, std::int64_t{v} + 1);
+    if (!mesh.normals.empty()) {
+      text += "//";
+      appendNumber(text, std::int64_t{v} + 1);
+    }
   }
+  text += '\n';
 }
 
 } // namespace
@@ -141,27 +159,12 @@ void writeObjMesh(const std::string& path, const TriangleMesh& mesh,
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   file.write("o " + name + "\n");
-  writeVectors(file, "v", mesh.vertices);
-  writeVectors(file, "vn", mesh.normals);
-  std::string line;
-  Index group = -1;
-  for (const Triangle& triangle : mesh.triangles) {
-    const auto first = static_cast<std::size_t>(triangle[0]);
-    if (!mesh.piece.empty() && mesh.piece[first] != group) {
-      group = mesh.piece[first];
-      file.write("g piece_" + std::to_string(group) + "\n");
-    }
-    line = "f";
-    for (const Index v : triangle) {
-      line += ' ';
-      appendNumber(line, std::int64_t{v} + 1);
-      if (!mesh.normals.empty()) {
-        line += "//";
-        appendNumber(line, std::int64_t{v} + 1);
-      }
-    }
-    file.write(line += '\n');
-  }
+  writeVectors(file, "v", mesh.vertices, options.threads);
+  writeVectors(file, "vn", mesh.normals, options.threads);
+  writeRows(file, mesh.triangles.size(), options.threads, [&](std::size_t begin, std::size_t end, std::string& text) {
+    for (std::size_t t = begin; t < end; ++t)
+      appendFace(mesh, t, text);
+  });
   file.commit();
 }
 

@@ -1,76 +1,101 @@
 #include "graben/io/pick_writer.h"
 
 #include "numbers.h"
+#include "row_writer.h"
 
 #include "graben/core/errors.h"
-#include "graben/io/atomic_file.h"
-
-#include <array>
 
 namespace graben {
 namespace {
 
-std::string pcdHeader(const LabelledPoints& cloud) {
-  const bool normals = !cloud.normals.empty();
-  const bool label = !cloud.piece.empty();
-  const auto line = [&](const std::string& key, const char* one, const char* normal_part,
-                        const char* label_part) {
-    return key + one + (normals ? normal_part : "") + (label ? label_part : "") + "\n";
+std::string pcdHeader(std::size_t points, const PcdOptions& options) {
+  const auto line = [&](const std::string& key, const char* position, const char* normal, const char* piece, const char* reason) {
+    return key + position + (options.normals ? normal : "") + (options.piece ? piece : "") + (options.reason ? reason : "") + "\n";
   };
-  const std::string count = std::to_string(cloud.points.size());
+  const std::string count = std::to_string(points);
   return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" +
-         line("FIELDS", " x y z", " normal_x normal_y normal_z", " label") +
-         line("SIZE", " 4 4 4", " 4 4 4", " 4") + line("TYPE", " F F F", " F F F", " U") +
-         line("COUNT", " 1 1 1", " 1 1 1", " 1") + "WIDTH " + count +
+         line("FIELDS", " x y z", " normal_x normal_y normal_z", " piece", " reason") +
+         line("SIZE", " 4 4 4", " 4 4 4", " 4", " 1") + line("TYPE", " F F F", " F F F", " I", " U") +
+         line("COUNT", " 1 1 1", " 1 1 1", " 1", " 1") + "WIDTH " + count +
          "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + count + "\nDATA binary\n";
 }
 
-void writeFloats(AtomicFile& file, const Vector3& v) {
-  const Eigen::Vector3f f = v.cast<float>();
-  file.writeRaw(std::array<float, 3>{f.x(), f.y(), f.z()});
+std::size_t pointSize(const PcdOptions& options) {
+  return 3 * sizeof(float) * (options.normals ? 2 : 1) + (options.piece ? sizeof(Index) : 0) + (options.reason ? 1 : 0);
 }
 
-void writeRow(AtomicFile& file, const Vector3& point) {
-  std::string row;
+void appendRow(std::string& text, const Vector3& point) {
   for (int k = 0; k < 3; ++k) {
-    appendNumber(row, point[k]);
-    row += k < 2 ? ' ' : '\n';
+    appendNumber(text, point[k]);
+    text += k < 2 ? ' ' : '\n';
   }
-  file.write(row);
+}
+
+void requireLength(std::size_t length, std::size_t points, const std::string& path) {
+  if (length != 0 && length != points)
+    throw InvalidInputError("writing " + path, "normals, pieces or reasons are not as many as the points");
 }
 
 } // namespace
 
-void writePcd(const std::string& path, const LabelledPoints& cloud) {
-  const std::size_t count = cloud.points.size();
-  if ((!cloud.normals.empty() && cloud.normals.size() != count) ||
-      (!cloud.piece.empty() && cloud.piece.size() != count))
-    throw InvalidInputError("writing " + path, "normals or pieces are not as many as the points");
+void writePcd(const std::string& path, std::size_t count, const std::function<PcdPoint(std::size_t)>& point, const PcdOptions& options) {
   AtomicFile file(path);
-  file.write(pcdHeader(cloud));
-  for (std::size_t i = 0; i < count; ++i) {
-    writeFloats(file, cloud.points[i]);
-    if (!cloud.normals.empty())
-      writeFloats(file, cloud.normals[i]);
-    if (!cloud.piece.empty())
-      file.writeRaw(static_cast<std::uint32_t>(cloud.piece[i]));
-  }
+  file.write(pcdHeader(count, options));
+  writeRows(file, count, options.threads, [&](std::size_t begin, std::size_t end, std::string& bytes) {
+    ByteFiller filler(bytes, (end - begin) * pointSize(options));
+    for (std::size_t i = begin; i < end; ++i) {
+      const PcdPoint p = point(i);
+      filler.putVector<float>(p.position);
+      if (options.normals)
+        filler.putVector<float>(p.normal);
+      if (options.piece)
+        filler.put(p.piece);
+      if (options.reason)
+        filler.put(p.reason);
+    }
+  });
   file.commit();
 }
 
-void writeXyz(const std::string& path, const Points& points) {
+void writePcd(const std::string& path, const LabelledPoints& cloud, unsigned threads) {
+  const std::size_t count = cloud.points.size();
+  for (const std::size_t length : {cloud.normals.size(), cloud.piece.size(), cloud.reason.size()})
+    requireLength(length, count, path);
+  PcdOptions options;
+  options.normals = !cloud.normals.empty();
+  options.piece = !cloud.piece.empty();
+  options.reason = !cloud.reason.empty();
+  options.threads = threads;
+  const auto point = [&](std::size_t i) {
+    PcdPoint p{cloud.points[i]};
+    if (options.normals)
+      p.normal = cloud.normals[i];
+    if (options.piece)
+      p.piece = cloud.piece[i];
+    if (options.reason)
+      p.reason = cloud.reason[i];
+    return p;
+  };
+  writePcd(path, count, point, options);
+}
+
+void writeXyz(const std::string& path, const Points& points, unsigned threads) {
   AtomicFile file(path);
-  for (const Vector3& point : points)
-    writeRow(file, point);
+  writeRows(file, points.size(), threads, [&](std::size_t begin, std::size_t end, std::string& text) {
+    for (std::size_t i = begin; i < end; ++i)
+      appendRow(text, points[i]);
+  });
   file.commit();
 }
 
 void writePol(const std::string& path, const std::vector<FaultStick>& sticks) {
   AtomicFile file(path);
+  std::string text;
   for (const FaultStick& stick : sticks) {
+    text.clear();
     for (const Vector3& point : stick.points)
-      writeRow(file, point);
-    file.write("999 999 999\n");
+      appendRow(text, point);
+    file.write(text += "999 999 999\n");
   }
   file.commit();
 }

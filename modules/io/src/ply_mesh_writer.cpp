@@ -1,9 +1,9 @@
 #include "mesh_formats.h"
 #include "numbers.h"
+#include "row_writer.h"
 
 #include "graben/io/atomic_file.h"
 
-#include <array>
 #include <set>
 
 namespace graben {
@@ -21,7 +21,7 @@ std::string propertyName(std::string_view name, const std::set<std::string>& tak
   return word;
 }
 
-std::string headerOf(const TriangleMesh& mesh) {
+std::string headerOf(const TriangleMesh& mesh, const MeshWriteOptions& options) {
   std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex ";
   appendNumber(header, static_cast<std::int64_t>(mesh.vertices.size()));
   std::set<std::string> taken = {"x", "y", "z", "nx", "ny", "nz", "piece"};
@@ -33,34 +33,62 @@ std::string headerOf(const TriangleMesh& mesh) {
   for (const auto& scalar : mesh.scalars) {
     const std::string name = propertyName(scalar.first, taken);
     taken.insert(name);
-    header += "property float " + name + "\n";
+    header += (options.flags.count(scalar.first) > 0 ? "property uchar " : "property float ") + name + "\n";
   }
   header += "element face ";
   appendNumber(header, static_cast<std::int64_t>(mesh.triangles.size()));
   return header + "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 
+/// A scalar of the mesh as it is written.
+struct Scalar {
+  const float* values;
+  bool flag;
+};
+
+std::vector<Scalar> scalarsOf(const TriangleMesh& mesh, const MeshWriteOptions& options) {
+  std::vector<Scalar> scalars;
+  for (const auto& [name, values] : mesh.scalars)
+    scalars.push_back({values.data(), options.flags.count(name) > 0});
+  return scalars;
+}
+
+void writeVertices(AtomicFile& file, const TriangleMesh& mesh, const MeshWriteOptions& options) {
+  const std::vector<Scalar> scalars = scalarsOf(mesh, options);
+  std::size_t size = 3 * sizeof(double) + (mesh.normals.empty() ? 0 : 3 * sizeof(float)) + (mesh.piece.empty() ? 0 : sizeof(Index));
+  for (const Scalar& scalar : scalars)
+    size += scalar.flag ? 1 : sizeof(float);
+  writeRows(file, mesh.vertices.size(), options.threads, [&](std::size_t begin, std::size_t end, std::string& bytes) {
+    ByteFiller filler(bytes, (end - begin) * size);
+    for (std::size_t v = begin; v < end; ++v) {
+      filler.putVector<double>(mesh.vertices[v]);
+      if (!mesh.normals.empty())
+        filler.putVector<float>(mesh.normals[v]);
+      if (!mesh.piece.empty())
+        filler.put(mesh.piece[v]);
+      for (const Scalar& scalar : scalars) {
+        if (scalar.flag)
+          filler.put(flagOf(scalar.values[v]));
+        else
+          filler.put(scalar.values[v]);
+      }
+    }
+  });
+}
+
 } // namespace
 
-void writePlyMesh(const std::string& path, const TriangleMesh& mesh) {
+void writePlyMesh(const std::string& path, const TriangleMesh& mesh, const MeshWriteOptions& options) {
   AtomicFile file(path);
-  file.write(headerOf(mesh));
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    file.writeRaw(
-        std::array<double, 3>{mesh.vertices[i].x(), mesh.vertices[i].y(), mesh.vertices[i].z()});
-    if (!mesh.normals.empty()) {
-      const Eigen::Vector3f normal = mesh.normals[i].cast<float>();
-      file.writeRaw(std::array<float, 3>{normal.x(), normal.y(), normal.z()});
+  file.write(headerOf(mesh, options));
+  writeVertices(file, mesh, options);
+  writeRows(file, mesh.triangles.size(), options.threads, [&](std::size_t begin, std::size_t end, std::string& bytes) {
+    ByteFiller filler(bytes, (end - begin) * (1 + 3 * sizeof(Index)));
+    for (std::size_t t = begin; t < end; ++t) {
+      filler.put(char{3});
+      filler.put(mesh.triangles[t]);
     }
-    if (!mesh.piece.empty())
-      file.writeRaw(mesh.piece[i]);
-    for (const auto& scalar : mesh.scalars)
-      file.writeRaw(scalar.second[i]);
-  }
-  for (const Triangle& triangle : mesh.triangles) {
-    file.write("\3");
-    file.writeRaw(triangle);
-  }
+  });
   file.commit();
 }
 

@@ -2,6 +2,7 @@
 #include "line_reader.h"
 #include "mesh_formats.h"
 #include "numbers.h"
+#include "row_writer.h"
 
 #include "graben/core/errors.h"
 #include "graben/io/atomic_file.h"
@@ -124,16 +125,19 @@ void writeStlMesh(const std::string& path, const TriangleMesh& mesh,
   header.resize(80, ' ');
   file.write(header);
   file.writeRaw(static_cast<std::uint32_t>(mesh.triangles.size()));
-  for (const Triangle& t : mesh.triangles) {
-    const Vector3& a = mesh.vertices[static_cast<std::size_t>(t[0])];
-    const Vector3& b = mesh.vertices[static_cast<std::size_t>(t[1])];
-    const Vector3& c = mesh.vertices[static_cast<std::size_t>(t[2])];
-    for (const Vector3& v : {Vector3((b - a).cross(c - a).stableNormalized()), a, b, c}) {
-      const Eigen::Vector3f f = v.cast<float>();
-      file.writeRaw(std::array<float, 3>{f.x(), f.y(), f.z()});
+  constexpr std::size_t facet_size = 12 * sizeof(float) + sizeof(std::uint16_t);
+  writeRows(file, mesh.triangles.size(), options.threads, [&](std::size_t begin, std::size_t end, std::string& bytes) {
+    ByteFiller filler(bytes, (end - begin) * facet_size);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Triangle& t = mesh.triangles[i];
+      const Vector3& a = mesh.vertices[static_cast<std::size_t>(t[0])];
+      const Vector3& b = mesh.vertices[static_cast<std::size_t>(t[1])];
+      const Vector3& c = mesh.vertices[static_cast<std::size_t>(t[2])];
+      for (const Vector3& v : {Vector3((b - a).cross(c - a).stableNormalized()), a, b, c})
+        filler.putVector<float>(v);
+      filler.put(std::uint16_t{0});
     }
-    file.writeRaw(std::uint16_t{0});
-  }
+  });
   file.commit();
 }
 

@@ -17,12 +17,18 @@ constexpr std::size_t most_trailing_lines = 10;
 
 /// How the fields of a row may be parted, likeliest first. A lone tab parts two fields, so that a
 /// field may be empty; several tabs are padding.
-std::string delimitersOf(std::string_view row) {
+std::string delimitersOf(std::string_view line) {
+  std::string row;
+  bool quoted = false;
+  for (const char c : line) {
+    quoted ^= c == '"';
+    row += quoted ? '"' : c;
+  }
   for (const char* c : {";", ","})
-    if (row.find(c) != std::string_view::npos)
+    if (row.find(c) != std::string::npos)
       return c;
-  const bool lone_tabs = row.find('\t') != std::string_view::npos &&
-                         row.find("\t\t") == std::string_view::npos && row.front() != '\t';
+  const bool lone_tabs = row.find('\t') != std::string::npos &&
+                         row.find("\t\t") == std::string::npos && row.front() != '\t';
   return lone_tabs ? "\t " : " ";
 }
 

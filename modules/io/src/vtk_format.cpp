@@ -16,6 +16,7 @@
 #include <vtkPolyDataWriter.h>
 #include <vtkSmartPointer.h>
 #include <vtkTriangleFilter.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -24,6 +25,7 @@
 #include <limits>
 #include <mutex>
 #include <new>
+#include <type_traits>
 
 namespace graben {
 namespace {
@@ -187,7 +189,19 @@ vtkNew<vtkPolyData> polyDataOf(const TriangleMesh& mesh) {
   return data;
 }
 
-void addPointData(const TriangleMesh& mesh, vtkPointData& data) {
+template <typename Array>
+void addArray(const std::string& name, const std::vector<float>& values, vtkPointData& data) {
+  vtkNew<Array> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  if constexpr (std::is_same_v<Array, vtkFloatArray>)
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+  else
+    std::transform(values.begin(), values.end(), array->GetPointer(0), flagOf);
+  data.AddArray(array);
+}
+
+void addPointData(const TriangleMesh& mesh, const MeshWriteOptions& options, vtkPointData& data) {
   if (!mesh.normals.empty()) {
     vtkNew<vtkFloatArray> normals;
     normals->SetName("normals");
@@ -198,11 +212,10 @@ void addPointData(const TriangleMesh& mesh, vtkPointData& data) {
     data.SetNormals(normals);
   }
   for (const auto& [name, values] : mesh.scalars) {
-    vtkNew<vtkFloatArray> scalar;
-    scalar->SetName(name.c_str());
-    scalar->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-    std::copy(values.begin(), values.end(), scalar->GetPointer(0));
-    data.AddArray(scalar);
+    if (options.flags.count(name) > 0)
+      addArray<vtkUnsignedCharArray>(name, values, data);
+    else
+      addArray<vtkFloatArray>(name, values, data);
   }
   if (!mesh.piece.empty()) {
     vtkNew<vtkIntArray> piece;
@@ -216,9 +229,9 @@ void addPointData(const TriangleMesh& mesh, vtkPointData& data) {
 }
 
 template <typename Writer>
-void runWriter(Writer& writer, const std::string& path, const TriangleMesh& mesh) {
+void runWriter(Writer& writer, const std::string& path, const TriangleMesh& mesh, const MeshWriteOptions& options) {
   const vtkNew<vtkPolyData> data = polyDataOf(mesh);
-  addPointData(mesh, *data->GetPointData());
+  addPointData(mesh, options, *data->GetPointData());
   AtomicFile file(path);
   const CatchMessages messages;
   writer.SetInputData(data);
@@ -252,16 +265,17 @@ void writeVtkMesh(const std::string& path, const TriangleMesh& mesh,
   writer->SetFileTypeToBinary();
   writer->SetHeader(
       options.name.substr(0, options.name.find_first_of("\r\n")).substr(0, 250).c_str());
-  runWriter(*writer, path, mesh);
+  runWriter(*writer, path, mesh, options);
 }
 
-void writeVtpMesh(const std::string& path, const TriangleMesh& mesh) {
+void writeVtpMesh(const std::string& path, const TriangleMesh& mesh,
+                  const MeshWriteOptions& options) {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToNone();
   writer->SetHeaderTypeToUInt64();
-  runWriter(*writer, path, mesh);
+  runWriter(*writer, path, mesh, options);
 }
 
 } // namespace graben

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace graben {
 namespace {
 
@@ -87,6 +89,92 @@ TEST(MeshWriter, writesGocadAsStrictReadersTakeIt) {
       "VRTX 3 500050 6000090 0.001 CNXYZ\nTRGL 1 2 3\nEND\n");
   EXPECT_EQ(throughFile(".ts", mesh).z_positive, ZPositive::Down);
   EXPECT_EQ(throughFile(".ts", mesh).name, "Top Volantis");
+}
+
+/// The sample with the fields a reconstruction gives its vertices.
+TriangleMesh measuredMesh() {
+  TriangleMesh mesh = sampleMesh();
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    mesh.scalars["pick_distance"].push_back(0.1F * static_cast<float>(v));
+    mesh.scalars["extrapolated"].push_back(v % 3 == 0 ? 1.0F : 0.0F);
+  }
+  return mesh;
+}
+
+TEST(MeshWriter, flagsAreBytesAndReadBackAsScalars) {
+  const TempFolder folder;
+  const TriangleMesh mesh = measuredMesh();
+  for (const std::string name : {"a.ply", "a.vtk", "a.vtp"}) {
+    EXPECT_TRUE(writeMesh(folder.path(name), mesh).empty());
+    EXPECT_EQ(readMesh(folder.path(name)).scalars, mesh.scalars) << name;
+  }
+  EXPECT_THAT(contentOf(folder.path("a.ply")), HasSubstr("property float error\nproperty uchar extrapolated\nproperty float pick_distance\n"));
+  EXPECT_THAT(contentOf(folder.path("a.vtk")), HasSubstr("extrapolated 1 8 unsigned_char"));
+  EXPECT_THAT(contentOf(folder.path("a.vtp")), HasSubstr("type=\"UInt8\" Name=\"extrapolated\""));
+  MeshWriteOptions options;
+  options.flags.clear();
+  writeMesh(folder.path("b.ply"), mesh, options);
+  EXPECT_THAT(contentOf(folder.path("b.ply")), HasSubstr("property float extrapolated\n"));
+}
+
+TEST(MeshWriter, gocadPropertiesOnDemand) {
+  const TempFolder folder;
+  TriangleMesh mesh = measuredMesh();
+  EXPECT_THAT(writeMesh(folder.path("plain.ts"), mesh), Contains(HasSubstr("no properties, so not vertex scalars")));
+  EXPECT_TRUE(readMesh(folder.path("plain.ts")).scalars.empty());
+  MeshWriteOptions options;
+  options.gocad_properties = true;
+  mesh.normals.clear();
+  EXPECT_TRUE(writeMesh(folder.path("full.ts"), mesh, options).empty());
+  const std::string content = contentOf(folder.path("full.ts"));
+  EXPECT_THAT(content, HasSubstr("PROPERTIES piece error extrapolated pick_distance throw\nNO_DATA_VALUES -99999 -99999 -99999 -99999 -99999\n"));
+  EXPECT_THAT(content, HasSubstr("PVRTX 2 460338.234863 5933079.866211 1658.867822 0 0.5 0 0.1 0.25 CNXYZ\n"));
+  const TriangleMesh read = readMesh(folder.path("full.ts"));
+  EXPECT_EQ(read.vertices, mesh.vertices);
+  EXPECT_EQ(read.piece, mesh.piece);
+  EXPECT_EQ(read.scalars, mesh.scalars);
+}
+
+TEST(MeshReader, readsGocadPropertiesAsOthersWriteThem) {
+  const TempFolder folder;
+  const auto meshes = readMeshes(folder.write(
+      "a.ts", "GOCAD TSurf 1\nHEADER {\nname:A\n}\nPROPERTIES \"net throw\" slip conf\nPROP_LEGAL_RANGES **none** **none**\n"
+              "NO_DATA_VALUES -1 -99999 -99999\nESIZES 1 3 1\nTFACE\nPVRTX 1 0 0 0 12.5 1 2 3 0.5 CNXYZ\n"
+              "PVRTX 2 1 0 0 -1 1 2 3 0.25\nVRTX 3 0 1 0\nTRGL 1 2 3\nTFACE\nPATOM 4 1 7 1 2 3 0.125\nPVRTX 5 2 2 2 8\n"
+              "PVRTX 6 3 2 2 9 1 2 3 -99999\nTRGL 4 5 6\nEND\n"));
+  const auto& scalars = meshes[0].mesh.scalars;
+  ASSERT_EQ(scalars.size(), 2U);
+  const auto text = [](const std::vector<float>& values) {
+    std::string all;
+    for (const float v : values)
+      all += std::isnan(v) ? "- " : std::to_string(v).substr(0, 5) + " ";
+    return all;
+  };
+  EXPECT_EQ(text(scalars.at("net throw")), "12.50 - - 7.000 8.000 9.000 ");
+  EXPECT_EQ(text(scalars.at("conf")), "0.500 0.250 - 0.125 - - ");
+  EXPECT_THAT(meshes[0].notes, Contains(HasSubstr("properties ignored")));
+}
+
+TEST(MeshWriter, writesTheSameBytesForEveryNumberOfThreads) {
+  const TempFolder folder;
+  TriangleMesh mesh;
+  for (int i = 0; i < 40000; ++i) {
+    mesh.vertices.push_back({0.125 * i, std::sqrt(i), -0.01 * i});
+    mesh.piece.push_back(i / 15000);
+    mesh.scalars["throw"].push_back(1.0F / static_cast<float>(i + 1));
+    if (i > 1)
+      mesh.triangles.push_back({i - 2, i - 1, i});
+  }
+  for (const std::string extension : {".ply", ".obj", ".stl", ".ts"}) {
+    MeshWriteOptions options;
+    options.gocad_properties = true;
+    options.threads = 1;
+    writeMesh(folder.path("1" + extension), mesh, options);
+    options.threads = 3;
+    writeMesh(folder.path("3" + extension), mesh, options);
+    EXPECT_TRUE(contentOf(folder.path("1" + extension)) == contentOf(folder.path("3" + extension))) << extension;
+    EXPECT_EQ(readMesh(folder.path("3" + extension)).triangles.size(), mesh.triangles.size()) << extension;
+  }
 }
 
 TEST(MeshWriter, writesVtkForOldReadersInBinary) {

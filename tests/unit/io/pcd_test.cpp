@@ -11,6 +11,7 @@
 namespace graben {
 namespace {
 
+using test::contentOf;
 using test::TempFolder;
 using testing::Contains;
 using testing::HasSubstr;
@@ -77,23 +78,51 @@ TEST(PcdWriter, writesWhatPclAndWeRead) {
   for (int i = 0; i < 1000; ++i) {
     cloud.points.push_back({0.5 * i, 0.25 * i, -1.0 * i});
     cloud.normals.push_back({0, 0, 1});
-    cloud.piece.push_back(i % 3);
+    cloud.piece.push_back(i % 3 - 1);
+    cloud.reason.push_back(static_cast<std::uint8_t>(i % 4));
   }
   writePcd(folder.path("a.pcd"), cloud);
   const PickSet picks = readPicks(folder.path("a.pcd"));
   EXPECT_EQ(picks.points, cloud.points);
   EXPECT_EQ(picks.normals, cloud.normals);
-  EXPECT_THAT(picks.notes, Contains(HasSubstr("label")));
+  EXPECT_THAT(picks.notes, Contains(HasSubstr("piece, reason")));
   pcl::PCLPointCloud2 read;
   Eigen::Vector4f origin;
   Eigen::Quaternionf orientation;
   int version = 0;
   ASSERT_EQ(pcl::PCDReader().read(folder.path("a.pcd"), read, origin, orientation, version), 0);
-  ASSERT_EQ(read.fields.size(), 7U);
-  EXPECT_EQ(read.fields[6].name, "label");
-  EXPECT_EQ(read.fields[6].datatype, pcl::PCLPointField::UINT32);
+  ASSERT_EQ(read.fields.size(), 8U);
+  EXPECT_EQ(read.fields[6].name, "piece");
+  EXPECT_EQ(read.fields[6].datatype, pcl::PCLPointField::INT32);
+  EXPECT_EQ(read.fields[7].name, "reason");
+  EXPECT_EQ(read.fields[7].datatype, pcl::PCLPointField::UINT8);
+  for (std::size_t i : {0U, 2U, 999U}) {
+    std::int32_t piece = 0;
+    std::memcpy(&piece, &read.data[i * read.point_step + read.fields[6].offset], 4);
+    EXPECT_EQ(piece, cloud.piece[i]);
+    EXPECT_EQ(read.data[i * read.point_step + read.fields[7].offset], cloud.reason[i]);
+  }
   EXPECT_EQ(read.width, 1000U);
   EXPECT_TRUE(orientation.isApprox(Eigen::Quaternionf::Identity()));
+}
+
+TEST(PcdWriter, writesTheSameBytesForEveryNumberOfThreads) {
+  const TempFolder folder;
+  const auto point = [](std::size_t i) {
+    const double x = 0.25 * static_cast<double>(i);
+    return PcdPoint{{x, -x, 1.0}, {0, 0, 1}, static_cast<Index>(i), 2};
+  };
+  PcdOptions options;
+  options.piece = true;
+  options.threads = 1;
+  writePcd(folder.path("1.pcd"), 200000, point, options);
+  options.threads = 3;
+  writePcd(folder.path("3.pcd"), 200000, point, options);
+  EXPECT_EQ(contentOf(folder.path("1.pcd")), contentOf(folder.path("3.pcd")));
+  const PickSet picks = readPicks(folder.path("3.pcd"));
+  ASSERT_EQ(picks.points.size(), 200000U);
+  EXPECT_EQ(picks.points[150001], Vector3(37500.25, -37500.25, 1.0));
+  EXPECT_TRUE(picks.normals.empty());
 }
 
 TEST(PcdWriter, refusesArraysOfWrongLength) {

@@ -19,8 +19,9 @@ struct MeshInput {
 /// the extension.
 ///
 /// A GOCAD file gives one mesh per TSurf, any other file one mesh. Polygons with more than three
-/// corners are split into a fan. Normals, the label `piece` and further numeric vertex fields are
-/// kept where the format has them. Vertices of .stl that are equal to the last bit become one.
+/// corners are split into a fan. Normals, the label `piece` and further numeric vertex fields (as
+/// scalars, whatever their type) are kept where the format has them; what
+/// a GOCAD property calls no data is NaN. Vertices of .stl that are equal to the last bit become one.
 /// Triangles with a corner that is not finite are dropped with a note.
 /// \throw IoError if the file cannot be read
 /// \throw ParseError if the file is no mesh, is cut short, or a triangle names a vertex that does

@@ -2,6 +2,7 @@
 
 #include "graben/mesh/triangle_mesh.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,19 +15,26 @@ struct MeshWriteOptions {
   ZPositive z_positive = ZPositive::Unknown;
   std::string xy_unit = "m"; ///< unit of x and y; .ts only
   std::string z_unit = "m";  ///< unit of z; .ts only
+  /// .ts only: write piece and scalars as properties (PVRTX lines). Geomodellers show them; strict readers (xtgeo) refuse such a file.
+  bool gocad_properties = false;
+  /// Scalars that are no more than 0 or 1: written as unsigned char where the format has types.
+  std::set<std::string> flags = {"extrapolated"};
+  unsigned threads = 0; ///< 0: one per processor; the file does not depend on it
 };
 
 /// Writes a triangle mesh; the extension of \a path picks the format.
 ///
 /// | extension | coordinates | normals | piece | scalars | form |
 /// |---|---|---|---|---|---|
-/// | .ply | double | float | int property | float properties | binary, little endian |
-/// | .vtk | double | float | int array | float arrays | legacy 4.2, binary |
-/// | .vtp | double | float | int array | float arrays | XML, binary |
+/// | .ply | double | float | int property | float, flags uchar properties | binary, little endian |
+/// | .vtk | double | float | int array | float, flags unsigned char arrays | legacy 4.2, binary |
+/// | .vtp | double | float | int array | float, flags UInt8 arrays | XML, binary |
 /// | .obj | double (text) | double (text) | one group per run of triangles | - | text |
 /// | .stl | float | per triangle | - | - | binary |
-/// | .ts  | double (text) | - | - | - | GOCAD TSurf, one TFACE |
+/// | .ts  | double (text) | - | property, if asked for | properties, if asked for | GOCAD TSurf, one TFACE |
 ///
+/// Scalars are the mesh's own (TriangleMesh::scalars, any names), `pick_distance` and `extrapolated` among them; readMeshes gives
+/// them back. A value that is not finite is written as it is, in .ts as the property's no-data value.
 /// Coordinates are written as they are; a text number is the shortest that reads back as the same
 /// double. The file appears under its name only when it is complete; on failure nothing is left
 /// behind and a former file is kept.

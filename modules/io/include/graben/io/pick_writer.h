@@ -3,6 +3,9 @@
 #include "graben/core/types.h"
 #include "graben/faults/fault_surface.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,22 +14,45 @@ namespace graben {
 /// Points with what is known of them, for writePcd.
 struct LabelledPoints {
   Points points;
-  Points normals;           ///< one per point, or empty
-  std::vector<Index> piece; ///< one per point, or empty
+  Points normals = {};                   ///< one per point, or empty
+  std::vector<Index> piece = {};         ///< one per point, -1 for none; or empty
+  std::vector<std::uint8_t> reason = {}; ///< why the point was set aside, 0: it was not; one per point, or empty
 };
 
-/// Writes a binary PCD for pcl_viewer: float32 x y z, normal_x normal_y normal_z where there are
-/// normals, uint32 label where there are pieces.
+/// What a PCD has beside x y z, and how it is written.
+struct PcdOptions {
+  bool normals = false;
+  bool piece = false;
+  bool reason = false;
+  unsigned threads = 0; ///< 0: one per processor; the file does not depend on it
+};
+
+/// One point of a PCD.
+struct PcdPoint {
+  Vector3 position;
+  Vector3 normal = Vector3::Zero();
+  Index piece = -1;
+  std::uint8_t reason = 0;
+};
+
+/// Writes a binary PCD for pcl_viewer: float32 x y z; then, where \a options ask for them, float32 normal_x normal_y normal_z, int32
+/// piece and uint8 reason.
 ///
+/// \param[in] count number of points
+/// \param[in] point gives point i; called from several threads at once
 /// pcl_viewer draws float32 only, so points should be in the local frame: float32 steps are 0.5 at
 /// UTM northings. VIEWPOINT is the identity. The file appears only when it is complete.
+/// \throw IoError if the file cannot be written
+void writePcd(const std::string& path, std::size_t count, const std::function<PcdPoint(std::size_t)>& point, const PcdOptions& options);
+
+/// The same from arrays; those that are there are written.
 /// \throw InvalidInputError if an array has a wrong length
 /// \throw IoError if the file cannot be written
-void writePcd(const std::string& path, const LabelledPoints& cloud);
+void writePcd(const std::string& path, const LabelledPoints& cloud, unsigned threads = 0);
 
 /// Writes rows `x y z`, each number the shortest that reads back as the same double. Errors as
 /// writePcd.
-void writeXyz(const std::string& path, const Points& points);
+void writeXyz(const std::string& path, const Points& points, unsigned threads = 0);
 
 /// Writes sticks as IRAP/RMS lines: rows `x y z`, each stick ended by `999 999 999`. Errors as
 /// writePcd.
