@@ -77,16 +77,15 @@ void writeCutoffs(const fs::path& dir, const ReconstructionResult& result) {
   }
 }
 
-/// The picks in the local frame (pcl_viewer draws float32), with normals and piece.
+/// The picks in the local frame (pcl_viewer draws float32), with normals, piece and the reason why one was set aside.
 void writePicks(const fs::path& dir, const ReconstructionResult& result) {
-  LabelledPoints cloud;
-  cloud.points = result.picks;
-  for (Vector3& p : cloud.points)
-    p -= result.frame.origin;
-  cloud.normals = result.pick_normals;
-  for (const Index piece : result.pick_piece)
-    cloud.piece.push_back(std::max<Index>(piece, 0));
-  writePcd((dir / "picks.pcd").string(), cloud);
+  PcdOptions fields;
+  fields.normals = fields.piece = fields.reason = true;
+  const auto pick = [&](std::size_t i) {
+    return PcdPoint{result.picks[i] - result.frame.origin, result.pick_normals[i], result.pick_piece[i],
+                    static_cast<std::uint8_t>(result.pick_reason[i])};
+  };
+  writePcd((dir / "picks.pcd").string(), result.picks.size(), pick, fields);
 }
 
 std::vector<std::string> drawPictures(const fs::path& dir, const ReconstructionResult& result) {
