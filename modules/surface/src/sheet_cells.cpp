@@ -4,361 +4,292 @@
 #include "graben/core/threads.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace graben {
 
 namespace {
 
-std::uint64_t edgeKey(const LatticeIndex& low, int axis) {
-  return (latticeKey(low) << 2) | static_cast<std::uint64_t>(axis);
-}
-
-LatticeIndex axisStep(int axis) { return {axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0}; }
-
-LatticeIndex indexOf(std::uint64_t key) {
-  constexpr std::uint64_t mask = (1u << 20) - 1;
-  constexpr std::int32_t offset = 1 << 19;
-  return {static_cast<std::int32_t>((key >> 40) & mask) - offset, static_cast<std::int32_t>((key >> 20) & mask) - offset,
-          static_cast<std::int32_t>(key & mask) - offset};
-}
-
-/// Groups of corners joined by edges that no fault crosses; the group of a corner is its lowest corner.
-std::array<int, 8> cornerGroups(const std::array<std::uint64_t, 12>& crossed) {
-  std::array<int, 8> group{};
-  std::iota(group.begin(), group.end(), 0);
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (std::size_t e = 0; e < 12; ++e) {
-      if (crossed[e] != 0)
-        continue;
-      int& a = group[static_cast<std::size_t>(cube::kEdge[e][0])];
-      int& b = group[static_cast<std::size_t>(cube::kEdge[e][1])];
-      if (a != b) {
-        a = b = std::min(a, b);
-        changed = true;
-      }
-    }
-  }
-  return group;
-}
-
-/// What lies between a group and every other corner: exclusive-or of the crossings along the shortest way over the cell's edges.
-std::array<std::uint64_t, 8> signaturesFrom(int group, const std::array<int, 8>& groups,
-                                            const std::array<std::uint64_t, 12>& crossed) {
-  std::array<std::uint64_t, 8> signature{};
-  std::array<bool, 8> known{};
-  for (std::size_t c = 0; c < 8; ++c)
-    known[c] = groups[c] == group;
-  for (int round = 0; round < 4; ++round) {
-    const std::array<bool, 8> before = known;
-    for (std::size_t e = 0; e < 12; ++e) {
-      for (std::size_t way = 0; way < 2; ++way) {
-        const auto from = static_cast<std::size_t>(cube::kEdge[e][way]);
-        const auto to = static_cast<std::size_t>(cube::kEdge[e][1 - way]);
-        if (before[from] && !known[to]) {
-          known[to] = true;
-          signature[to] = signature[from] ^ crossed[e];
-        }
-      }
-    }
-  }
-  return signature;
-}
-
-/// Lattice vertices around one, in sets; used for the groups of the eight cells that share it.
-class VertexSets {
-public:
-  explicit VertexSets(const LatticeIndex& middle) : middle_(middle) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  void join(const LatticeIndex& a, const LatticeIndex& b) {
-    const int p = find(slot(a));
-    const int q = find(slot(b));
-    parent_[static_cast<std::size_t>(std::max(p, q))] = std::min(p, q);
-    used_[static_cast<std::size_t>(slot(a))] = used_[static_cast<std::size_t>(slot(b))] = true;
-  }
-
-  /// The first vertex in lattice order that is in the set of \a of.
-  LatticeIndex first(const LatticeIndex& of) const { return at(find(slot(of))); }
-
-  /// The first vertex in lattice order of all that were joined to anything.
-  LatticeIndex first() const { return at(static_cast<int>(std::find(used_.begin(), used_.end(), true) - used_.begin())); }
-
-private:
-  int slot(const LatticeIndex& p) const {
-    const LatticeIndex d = p - middle_;
-    return 9 * (d.i + 1) + 3 * (d.j + 1) + d.k + 1;
-  }
-  LatticeIndex at(int slot) const { return middle_ + LatticeIndex{slot / 9 - 1, slot / 3 % 3 - 1, slot % 3 - 1}; }
-  int find(int s) const {
-    while (parent_[static_cast<std::size_t>(s)] != s)
-      s = parent_[static_cast<std::size_t>(s)];
-    return s;
-  }
-
-  LatticeIndex middle_;
-  std::array<int, 27> parent_{};
-  std::array<bool, 27> used_{};
+struct KeyedMask {
+  std::uint64_t key;
+  BlockMask mask;
+  bool operator<(const KeyedMask& o) const { return key < o.key; }
 };
+
+/// Sorts by key and joins the masks of equal keys.
+void joinEqual(std::vector<KeyedMask>& entries) {
+  std::sort(entries.begin(), entries.end());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (kept > 0 && entries[kept - 1].key == entries[i].key)
+      entries[kept - 1].mask |= entries[i].mask;
+    else
+      entries[kept++] = entries[i];
+  }
+  entries.resize(kept);
+}
+
+/// The surface in the whole cells of a block, and the cells through each of whose faces it passes on (see cube::kFace).
+struct Passages {
+  BlockMask surface = 0;
+  std::array<BlockMask, 6> through{};
+};
+
+Passages passagesOf(const LatticeBlocks& blocks, Index b, BlockMask cells) {
+  std::array<BlockMask, block::kForward> defined{};
+  std::array<BlockMask, block::kForward> inside{};
+  const LatticeBlock& own = blocks[static_cast<std::size_t>(b)];
+  for (std::size_t f = 0; f < block::kForward; ++f) {
+    if (own.forward[f] < 0)
+      continue;
+    const LatticeBlock& next = blocks[static_cast<std::size_t>(own.forward[f])];
+    defined[f] = next.defined;
+    inside[f] = next.inside;
+  }
+  BlockMask all_defined = cells;
+  std::array<BlockMask, 8> in{};
+  for (std::size_t c = 0; c < 8; ++c) {
+    all_defined &= block::corner(defined, cube::kCorner[c]);
+    in[c] = block::corner(inside, cube::kCorner[c]);
+  }
+  const auto passes = [&in](const auto& corners) {
+    BlockMask any = 0;
+    BlockMask all = ~BlockMask(0);
+    for (const int c : corners) {
+      any |= in[static_cast<std::size_t>(c)];
+      all &= in[static_cast<std::size_t>(c)];
+    }
+    return any & ~all;
+  };
+  Passages result;
+  result.surface = all_defined & passes(std::array<int, 8>{0, 1, 2, 3, 4, 5, 6, 7});
+  for (std::size_t face = 0; face < 6; ++face)
+    result.through[face] = result.surface & passes(cube::kFace[face]);
+  return result;
+}
 
 } // namespace
 
 SheetCells::SheetCells(const SignedDistance& field, const ExtractionOptions& options)
-  : field_(field), options_(options), lattice_(options.lattice) {}
+  : field_(field), options_(options), lattice_(options.lattice), faulted_(field.faults(), options.lattice, options.threads) {}
 
 void SheetCells::grow() {
-  Frontier frontier = seeds();
+  seed();
   double done = 0.0;
-  while (!frontier.empty()) {
+  while (!frontier_.empty()) {
     report(options_.progress, "marching cubes", done);
     done += 0.5 * (0.9 - done);
-    const std::size_t first = cells_.size();
-    growLevel(frontier);
-    checkMemory();
-    frontier = nextFrontier(first);
+    addLevel();
+    frontier_.clear();
+    std::swap(frontier_, next_);
+  }
+  blocks_.link(options_.threads);
+}
+
+void SheetCells::seed() {
+  constexpr std::size_t grain = 8192;
+  const std::vector<Index>& order = field_.grid().order();
+  const TangentPlanes& planes = field_.planes();
+  const double limit = kLatticeLimit * lattice_.voxel_size;
+  std::vector<std::vector<KeyedMask>> found((order.size() + grain - 1) / grain);
+  parallelBlocks(order.size(), grain, options_.threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<KeyedMask>& entries = found[begin / grain];
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto p = static_cast<std::size_t>(order[i]);
+      // A lattice vertex on the surface counts as outside, so where the surface runs along the lattice it belongs to the cells behind it.
+      const Vector3 centre = planes.centres[p] + (options_.iso_level - 1e-6 * lattice_.voxel_size) * planes.normals[p];
+      if (!centre.allFinite())
+        continue;
+      if ((centre - lattice_.origin).cwiseAbs().maxCoeff() > limit)
+        throw ResourceError("marching cubes", "the data are more than " + std::to_string(kLatticeLimit) +
+                                                " voxels across; use a larger voxel size or remove far outliers");
+      const LatticeIndex cell = lattice_.cellOf(centre);
+      const std::uint64_t key = latticeKey(block::blockOf(cell));
+      if (entries.empty() || entries.back().key != key)
+        entries.push_back({key, 0});
+      entries.back().mask |= block::bit(block::slotOf(cell));
+    }
+    joinEqual(entries);
+  });
+  std::vector<KeyedMask> all;
+  for (std::vector<KeyedMask>& entries : found)
+    all.insert(all.end(), entries.begin(), entries.end());
+  joinEqual(all);
+  for (const KeyedMask& entry : all)
+    frontier_.add(blocks_.make(latticeIndexOf(entry.key)), entry.mask);
+}
+
+void SheetCells::addLevel() {
+  for (const Index b : frontier_.blocks)
+    blocks_[static_cast<std::size_t>(b)].visited |= frontier_.of(b);
+  std::vector<SheetCell> copies;
+  findFaulted();
+  std::vector<LatticeIndex> faulted;
+  for (const Index b : frontier_.blocks)
+    for (BlockMask rest = frontier_.of(b) & ~whole_.of(b); rest != 0; rest &= rest - 1)
+      faulted.push_back(blocks_[static_cast<std::size_t>(b)].vertex(block::lowest(rest)));
+  faulted_.findCrossings(faulted);
+  for (const LatticeIndex& cell : faulted)
+    addCopies(cell, copies);
+  for (const Index b : whole_.blocks) {
+    const auto corners = block::cornersOf(whole_.of(b));
+    for (std::size_t f = 0; f < block::kForward; ++f)
+      if (corners[f] != 0)
+        wanted_.add(blocks_.makeForward(static_cast<std::size_t>(b), f), corners[f]);
+  }
+  checkMemory();
+  evaluate();
+  evaluateGhosts();
+  keepCrossed(copies);
+  whole_.clear();
+}
+
+/// Divides the frontier in cells that no fault touches, which are whole, and the rest.
+void SheetCells::findFaulted() {
+  const FaultNetwork& faults = field_.faults();
+  std::vector<BlockMask> untouched(frontier_.blocks.size());
+  parallelFor(untouched.size(), 64, options_.threads, [&](std::size_t i) {
+    const BlockMask cells = untouched[i] = frontier_.of(frontier_.blocks[i]);
+    const LatticeBlock& of = blocks_[static_cast<std::size_t>(frontier_.blocks[i])];
+    const auto touched = [&](const LatticeIndex& low, int cells_across) {
+      Bounds box;
+      box.extend(lattice_.position(low));
+      box.extend(lattice_.position(low + LatticeIndex{cells_across, cells_across, cells_across}));
+      return faults.mayTouch(box);
+    };
+    if (faults.empty() || !touched(of.vertex(0), 4))
+      return;
+    for (BlockMask rest = cells; rest != 0; rest &= rest - 1)
+      if (touched(of.vertex(block::lowest(rest)), 1))
+        untouched[i] &= ~(rest & (~rest + 1));
+  });
+  for (std::size_t i = 0; i < untouched.size(); ++i)
+    whole_.add(frontier_.blocks[i], untouched[i]);
+}
+
+void SheetCells::addCopies(const LatticeIndex& cell, std::vector<SheetCell>& copies) {
+  std::vector<CellCopy> made = faulted_.copies(cell);
+  if (made.empty())
+    whole_.add(blocks_.find(block::blockOf(cell)), block::bit(block::slotOf(cell)));
+  for (CellCopy& copy : made) {
+    SheetCell sheet;
+    sheet.at = cell;
+    sheet.home = static_cast<Index>(homes_.size());
+    for (std::size_t c = 0; c < 8; ++c)
+      sheet.node[c] = copy.ghost[c] < 0 ? realNode(copy.corner[c]) : -1 - copy.ghost[c];
+    homes_.push_back(std::move(copy.home));
+    copies.push_back(sheet);
+  }
+}
+
+Index SheetCells::realNode(const LatticeIndex& vertex) {
+  const Index b = blocks_.make(block::blockOf(vertex));
+  const int slot = block::slotOf(vertex);
+  wanted_.add(b, block::bit(slot));
+  return block::kSlots * b + slot;
+}
+
+void SheetCells::evaluate() {
+  parallelBlocks(wanted_.blocks.size(), 8, options_.threads, [&](std::size_t begin, std::size_t end) {
+    SignedDistance::Scratch scratch;
+    for (std::size_t i = begin; i < end; ++i) {
+      LatticeBlock& of = blocks_[static_cast<std::size_t>(wanted_.blocks[i])];
+      const BlockMask wanted = wanted_.of(wanted_.blocks[i]) & ~of.asked;
+      if (wanted == 0)
+        continue;
+      Bounds places;
+      for (BlockMask rest = wanted; rest != 0; rest &= rest - 1)
+        places.extend(lattice_.position(of.vertex(block::lowest(rest))));
+      field_.focus(places, scratch);
+      for (BlockMask rest = wanted; rest != 0; rest &= rest - 1) {
+        const int slot = block::lowest(rest);
+        const Vector3 place = lattice_.position(of.vertex(slot));
+        const FieldValue found = field_.at(place, place, scratch);
+        const double value = found.value - options_.iso_level;
+        of.value[static_cast<std::size_t>(slot)] = value;
+        of.plane[static_cast<std::size_t>(slot)] = found.plane;
+        of.defined |= found.defined() ? block::bit(slot) : 0;
+        of.inside |= value < 0.0 ? block::bit(slot) : 0;
+      }
+      of.asked |= wanted;
+    }
+  });
+  wanted_.clear();
+}
+
+void SheetCells::evaluateGhosts() {
+  constexpr std::size_t grain = 16; // ghosts made one after another mostly lie in neighbouring cells
+  const std::vector<GhostVertex>& ghosts = faulted_.ghosts();
+  const std::size_t first = ghost_values_.size();
+  ghost_values_.resize(ghosts.size());
+  parallelBlocks(ghosts.size() - first, grain, options_.threads, [&](std::size_t begin, std::size_t end) {
+    SignedDistance::Scratch scratch;
+    Bounds places;
+    for (std::size_t g = first + begin; g < first + end; ++g)
+      places.extend(lattice_.position(ghosts[g].at));
+    if (places.diagonal() < 2.0 * 4.0 * lattice_.voxel_size)
+      field_.focus(places, scratch);
+    for (std::size_t g = first + begin; g < first + end; ++g) {
+      ghost_values_[g] = field_.at(lattice_.position(ghosts[g].at), lattice_.position(ghosts[g].seen_from), scratch);
+      ghost_values_[g].value -= options_.iso_level;
+    }
+  });
+}
+
+/// Keeps the cells the surface passes through, and goes on to the cells beside them that it passes into.
+void SheetCells::keepCrossed(const std::vector<SheetCell>& copies) {
+  std::vector<Passages> passages(whole_.blocks.size());
+  parallelFor(passages.size(), 256, options_.threads,
+              [&](std::size_t i) { passages[i] = passagesOf(blocks_, whole_.blocks[i], whole_.of(whole_.blocks[i])); });
+  for (std::size_t i = 0; i < passages.size(); ++i) {
+    const Index b = whole_.blocks[i];
+    blocks_[static_cast<std::size_t>(b)].surface |= passages[i].surface;
+    for (std::size_t face = 0; face < 6; ++face) {
+      const std::size_t axis = face / 2;
+      const bool up = face % 2 == 1;
+      const BlockMask from = passages[i].through[face];
+      const BlockMask leaving = from & (up ? block::kLast[axis] : block::kFirst[axis]);
+      const BlockMask staying = from & ~leaving;
+      const LatticeBlock& own = blocks_[static_cast<std::size_t>(b)];
+      next_.add(b, (up ? staying << block::kShift[axis] : staying >> block::kShift[axis]) & ~own.visited);
+      if (leaving == 0)
+        continue;
+      const Index beside = up ? blocks_.makeForward(static_cast<std::size_t>(b), std::size_t(4) >> axis)
+                              : blocks_.make(own.at + cube::kFaceNeighbor[face]);
+      next_.add(beside, (up ? leaving >> (3 * block::kShift[axis]) : leaving << (3 * block::kShift[axis])) &
+                          ~blocks_[static_cast<std::size_t>(beside)].visited);
+    }
+  }
+  for (const SheetCell& copy : copies) {
+    const auto passes = [&](const auto& corners) {
+      int inside = 0;
+      for (const int c : corners)
+        inside += value(copy.node[static_cast<std::size_t>(c)]) < 0.0 ? 1 : 0;
+      return inside != 0 && inside != static_cast<int>(corners.size());
+    };
+    const bool defined = std::all_of(copy.node.begin(), copy.node.end(), [this](Index n) { return value(n) == value(n); });
+    if (!defined || !passes(std::array<int, 8>{0, 1, 2, 3, 4, 5, 6, 7}))
+      continue;
+    copies_.push_back(copy);
+    for (std::size_t face = 0; face < 6; ++face) {
+      const LatticeIndex beside = copy.at + cube::kFaceNeighbor[face];
+      if (!passes(cube::kFace[face]))
+        continue;
+      const Index b = blocks_.make(block::blockOf(beside));
+      next_.add(b, block::bit(block::slotOf(beside)) & ~blocks_[static_cast<std::size_t>(b)].visited);
+    }
   }
 }
 
 void SheetCells::checkMemory() const {
   if (options_.memory_limit == 0)
     return;
-  const std::size_t bytes = nodes_.size() * (sizeof(SheetNode) + 20) + cells_.size() * (sizeof(SheetCell) + 120);
+  const std::size_t bytes = blocks_.size() * (sizeof(LatticeBlock) + 64 * 40) + ghosts().size() * 200;
   if (bytes <= options_.memory_limit)
     return;
   const double factor = 1.2 * std::sqrt(static_cast<double>(bytes) / static_cast<double>(options_.memory_limit));
   throw ResourceError("marching cubes", "the surface at voxel size " + std::to_string(lattice_.voxel_size) +
                                           " does not fit into memory; a voxel size of " +
                                           std::to_string(lattice_.voxel_size * std::max(2.0, factor)) + " would");
-}
-
-SheetCells::Frontier SheetCells::seeds() const {
-  const Points& centres = field_.planes().centres;
-  std::vector<std::uint64_t> keys;
-  keys.reserve(centres.size());
-  const double limit = kLatticeLimit * lattice_.voxel_size;
-  for (std::size_t p = 0; p < centres.size(); ++p) {
-    // A lattice vertex on the surface counts as outside, so where the surface runs along the lattice it belongs to the cells behind it.
-    const Vector3 centre = centres[p] + (options_.iso_level - 1e-6 * lattice_.voxel_size) * field_.planes().normals[p];
-    if (!centre.allFinite())
-      continue;
-    if ((centre - lattice_.origin).cwiseAbs().maxCoeff() > limit)
-      throw ResourceError("marching cubes", "the data are more than " + std::to_string(kLatticeLimit) +
-                                              " voxels across; use a larger voxel size or remove far outliers");
-    keys.push_back(latticeKey(lattice_.cellOf(centre)));
-  }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  Frontier frontier(keys.size());
-  std::transform(keys.begin(), keys.end(), frontier.begin(), indexOf);
-  return frontier;
-}
-
-void SheetCells::growLevel(const Frontier& frontier) {
-  const FaultNetwork& faults = field_.faults();
-  std::vector<std::uint8_t> touched(frontier.size(), 0);
-  if (!faults.empty())
-    parallelFor(frontier.size(), 1024, options_.threads, [&](std::size_t c) {
-      Bounds box;
-      box.extend(lattice_.position(frontier[c]));
-      box.extend(lattice_.position(frontier[c] + LatticeIndex{1, 1, 1}));
-      touched[c] = faults.mayTouch(box) ? 1 : 0;
-    });
-  Frontier faulted;
-  for (std::size_t c = 0; c < frontier.size(); ++c) {
-    visited_[frontier[c]] = 1;
-    if (touched[c] != 0)
-      faulted.push_back(frontier[c]);
-  }
-  findCrossings(faulted);
-
-  candidates_.clear();
-  for (std::size_t c = 0; c < frontier.size(); ++c) {
-    if (touched[c] != 0)
-      addCopies(frontier[c]);
-    else
-      addWholeCell(frontier[c]);
-  }
-  evaluatePending();
-  const double iso = options_.iso_level;
-  for (const SheetCell& cell : candidates_) {
-    int inside = 0;
-    bool defined = true;
-    for (const Index n : cell.node) {
-      const FieldValue& field = nodes_[static_cast<std::size_t>(n)].field;
-      defined = defined && field.defined();
-      inside += field.value < iso ? 1 : 0;
-    }
-    if (defined && inside != 0 && inside != 8)
-      cells_.push_back(cell);
-  }
-}
-
-SheetCells::Frontier SheetCells::nextFrontier(std::size_t first_cell) {
-  const double iso = options_.iso_level;
-  std::vector<std::uint64_t> keys;
-  for (std::size_t c = first_cell; c < cells_.size(); ++c) {
-    const SheetCell& cell = cells_[c];
-    for (std::size_t f = 0; f < 6; ++f) {
-      int inside = 0;
-      for (const int corner : cube::kFace[f])
-        inside += nodes_[static_cast<std::size_t>(cell.node[static_cast<std::size_t>(corner)])].field.value < iso ? 1 : 0;
-      const LatticeIndex neighbor = cell.at + cube::kFaceNeighbor[f];
-      if (inside == 0 || inside == 4)
-        continue;
-      std::uint8_t& visited = visited_[neighbor];
-      if (visited == 0) {
-        visited = 1;
-        keys.push_back(latticeKey(neighbor));
-      }
-    }
-  }
-  std::sort(keys.begin(), keys.end());
-  Frontier frontier(keys.size());
-  std::transform(keys.begin(), keys.end(), frontier.begin(), indexOf);
-  return frontier;
-}
-
-void SheetCells::findCrossings(const Frontier& faulted) {
-  std::vector<EdgeKey> keys;
-  for (const LatticeIndex& cell : faulted)
-    for (std::size_t e = 0; e < 12; ++e)
-      keys.push_back(edgeKey(cell + cube::kCorner[static_cast<std::size_t>(cube::kEdgeLow[e])], cube::kEdgeAxis[e]));
-  fillCrossings(keys);
-
-  // Whether a corner seen through a fault lies beside a tip depends on all cells around it.
-  keys.clear();
-  for (const LatticeIndex& cell : faulted) {
-    const auto crossed = crossings(cell);
-    if (std::all_of(crossed.begin(), crossed.end(), [](std::uint64_t s) { return s == 0; }))
-      continue;
-    for (int i = -1; i <= 2; ++i)
-      for (int j = -1; j <= 2; ++j)
-        for (int k = -1; k <= 2; ++k)
-          for (int axis = 0; axis < 3; ++axis)
-            if ((axis == 0 ? i : axis == 1 ? j : k) < 2)
-              keys.push_back(edgeKey(cell + LatticeIndex{i, j, k}, axis));
-  }
-  fillCrossings(keys);
-}
-
-void SheetCells::fillCrossings(std::vector<EdgeKey>& keys) {
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  keys.erase(std::remove_if(keys.begin(), keys.end(), [this](EdgeKey k) { return crossing_.count(k) != 0; }), keys.end());
-  std::vector<std::uint64_t> signature(keys.size());
-  parallelFor(keys.size(), 256, options_.threads, [&](std::size_t i) {
-    const LatticeIndex low = indexOf(keys[i] >> 2);
-    const LatticeIndex high = low + axisStep(static_cast<int>(keys[i] & 3));
-    signature[i] = faultSignature(field_.faults(), lattice_.position(low), lattice_.position(high));
-  });
-  for (std::size_t i = 0; i < keys.size(); ++i)
-    crossing_.emplace(keys[i], signature[i]);
-}
-
-std::array<std::uint64_t, 12> SheetCells::crossings(const LatticeIndex& cell) const {
-  std::array<std::uint64_t, 12> crossed{};
-  for (std::size_t e = 0; e < 12; ++e) {
-    const LatticeIndex low = cell + cube::kCorner[static_cast<std::size_t>(cube::kEdgeLow[e])];
-    const auto found = crossing_.find(edgeKey(low, cube::kEdgeAxis[e]));
-    crossed[e] = found == crossing_.end() ? 0 : found->second;
-  }
-  return crossed;
-}
-
-/// True if what lies between the two sides ends in a cell around the vertex: some edge there is crossed and yet its ends are joined round the end.
-bool SheetCells::nearTip(const LatticeIndex& vertex, std::uint64_t signature) const {
-  for (const LatticeIndex& corner : cube::kCorner) {
-    const auto crossed = crossings(vertex - corner);
-    const auto groups = cornerGroups(crossed);
-    for (std::size_t e = 0; e < 12; ++e)
-      if (crossed[e] == signature &&
-          groups[static_cast<std::size_t>(cube::kEdge[e][0])] == groups[static_cast<std::size_t>(cube::kEdge[e][1])])
-        return true;
-  }
-  return false;
-}
-
-void SheetCells::addWholeCell(const LatticeIndex& cell) {
-  SheetCell whole;
-  whole.at = cell;
-  for (std::size_t c = 0; c < 8; ++c)
-    whole.node[c] = realNode(cell + cube::kCorner[c]);
-  candidates_.push_back(whole);
-}
-
-void SheetCells::addCopies(const LatticeIndex& cell) {
-  const auto crossed = crossings(cell);
-  const auto groups = cornerGroups(crossed);
-  if (std::all_of(groups.begin(), groups.end(), [](int g) { return g == 0; })) {
-    addWholeCell(cell);
-    return;
-  }
-  for (int group = 0; group < 8; ++group) {
-    if (groups[static_cast<std::size_t>(group)] != group)
-      continue;
-    SheetCell copy;
-    copy.at = cell;
-    copy.home = static_cast<Index>(homes_.size());
-    const LatticeIndex own = cell + cube::kCorner[static_cast<std::size_t>(group)];
-    const auto between = signaturesFrom(group, groups, crossed);
-    Points home;
-    for (std::size_t c = 0; c < 8; ++c) {
-      const LatticeIndex vertex = cell + cube::kCorner[c];
-      const bool member = groups[c] == group;
-      if (member)
-        home.push_back(lattice_.position(vertex));
-      copy.node[c] = member || nearTip(vertex, between[c]) ? realNode(vertex) : ghostNode(vertex, own);
-    }
-    homes_.push_back(std::move(home));
-    candidates_.push_back(copy);
-  }
-}
-
-Index SheetCells::realNode(const LatticeIndex& vertex) {
-  Index& node = real_node_[vertex];
-  if (node < 0) {
-    node = static_cast<Index>(nodes_.size());
-    nodes_.push_back({vertex, vertex, {}});
-  }
-  return node;
-}
-
-LatticeIndex SheetCells::seedOf(const LatticeIndex& ghost, const LatticeIndex& own) const {
-  VertexSets sets(ghost);
-  std::uint64_t only = 0;
-  bool several_faults = false;
-  for (std::size_t c = 0; c < 8; ++c) {
-    const LatticeIndex cell = ghost - cube::kCorner[c];
-    const auto crossed = crossings(cell);
-    const auto groups = cornerGroups(crossed);
-    for (const std::uint64_t signature : crossed) {
-      several_faults = several_faults || (signature != 0 && only != 0 && signature != only);
-      only = signature != 0 ? signature : only;
-    }
-    for (std::size_t k = 0; k < 8; ++k)
-      if (groups[k] != groups[c])
-        sets.join(cell + cube::kCorner[k], cell + cube::kCorner[static_cast<std::size_t>(groups[k])]);
-  }
-  return several_faults ? sets.first(own) : sets.first();
-}
-
-Index SheetCells::ghostNode(const LatticeIndex& vertex, const LatticeIndex& own) {
-  const LatticeIndex seed = seedOf(vertex, own);
-  const auto [entry, added] =
-    ghost_node_.try_emplace(GhostKey{latticeKey(vertex), latticeKey(seed)}, static_cast<Index>(nodes_.size()));
-  if (added)
-    nodes_.push_back({vertex, seed, {}});
-  return entry->second;
-}
-
-void SheetCells::evaluatePending() {
-  const std::size_t first = evaluated_;
-  parallelBlocks(nodes_.size() - first, 256, options_.threads, [&](std::size_t begin, std::size_t end) {
-    SignedDistance::Scratch scratch;
-    for (std::size_t n = first + begin; n < first + end; ++n)
-      nodes_[n].field = field_.at(lattice_.position(nodes_[n].at), lattice_.position(nodes_[n].seen_from), scratch);
-  });
-  evaluated_ = nodes_.size();
 }
 
 } // namespace graben

@@ -1,76 +1,67 @@
 #pragma once
 
-#include "graben/surface/sheet_extraction.h"
-
-#include <unordered_map>
+#include "faulted_cells.h"
+#include "lattice_blocks.h"
 
 namespace graben {
 
-/// A corner of cells with its field value: a lattice vertex, or a ghost of it: the same place on a sheet carried on through a fault.
-struct SheetNode {
-  LatticeIndex at;
-  LatticeIndex seen_from; ///< the vertex itself, or for a ghost the vertex on the sheet's own side whose picks count
-  FieldValue field;
-
-  bool real() const { return at == seen_from; }
-};
-
-/// A cell, or the copy of it that belongs to one side of the faults, with a piece of the surface in it.
+/// A side's copy of a cell that faults divide, with a piece of the surface in it.
 struct SheetCell {
   LatticeIndex at;
-  std::array<Index, 8> node{};
+  std::array<Index, 8> node{}; ///< see SheetCells
   Index home = -1;
 };
 
 /// Finds the cells the surface passes through, following it from the cells that hold data.
+///
+/// Nodes are the corners of cells with their field value: lattice vertex s of block b is node 64 b + s; ghost g is node -1 - g.
 class SheetCells {
 public:
   SheetCells(const SignedDistance& field, const ExtractionOptions& options);
   void grow();
 
-  const std::vector<SheetNode>& nodes() const { return nodes_; }
-  const std::vector<SheetCell>& cells() const { return cells_; }
+  const LatticeBlocks& blocks() const { return blocks_; }
+  const std::vector<GhostVertex>& ghosts() const { return faulted_.ghosts(); }
+  const std::vector<SheetCell>& copies() const { return copies_; }
   std::vector<Points> takeHomes() { return std::move(homes_); }
 
-private:
-  using EdgeKey = std::uint64_t;
-  using Frontier = std::vector<LatticeIndex>;
+  /// The field at a node less the iso level.
+  double value(Index node) const {
+    return node < 0 ? ghost_values_[static_cast<std::size_t>(-1 - node)].value : blockOf(node).value[slotOf(node)];
+  }
+  Index plane(Index node) const {
+    return node < 0 ? ghost_values_[static_cast<std::size_t>(-1 - node)].plane : blockOf(node).plane[slotOf(node)];
+  }
+  LatticeIndex place(Index node) const {
+    return node < 0 ? ghosts()[static_cast<std::size_t>(-1 - node)].at : blockOf(node).vertex(static_cast<int>(slotOf(node)));
+  }
 
-  Frontier seeds() const;
-  void growLevel(const Frontier& frontier);
-  Frontier nextFrontier(std::size_t first_cell);
-  void findCrossings(const Frontier& faulted);
-  void fillCrossings(std::vector<EdgeKey>& keys);
-  void addWholeCell(const LatticeIndex& cell);
-  void addCopies(const LatticeIndex& cell);
-  std::array<std::uint64_t, 12> crossings(const LatticeIndex& cell) const;
-  bool nearTip(const LatticeIndex& vertex, std::uint64_t signature) const;
+private:
+  static std::size_t slotOf(Index node) { return static_cast<std::size_t>(node) % block::kSlots; }
+  const LatticeBlock& blockOf(Index node) const { return blocks_[static_cast<std::size_t>(node) / block::kSlots]; }
+
+  void seed();
+  void addLevel();
+  void findFaulted();
+  void addCopies(const LatticeIndex& cell, std::vector<SheetCell>& copies);
+  void evaluate();
+  void evaluateGhosts();
+  void keepCrossed(const std::vector<SheetCell>& copies);
   Index realNode(const LatticeIndex& vertex);
-  Index ghostNode(const LatticeIndex& vertex, const LatticeIndex& own);
-  LatticeIndex seedOf(const LatticeIndex& ghost, const LatticeIndex& own) const;
-  void evaluatePending();
   void checkMemory() const;
 
   const SignedDistance& field_;
   const ExtractionOptions& options_;
   const Lattice& lattice_;
-  std::vector<SheetNode> nodes_;
-  std::vector<SheetCell> cells_;
-  std::vector<SheetCell> candidates_;
+  LatticeBlocks blocks_;
+  FaultedCells faulted_;
+  BlockSet frontier_; ///< cells to look at
+  BlockSet next_;
+  BlockSet whole_;    ///< those of the frontier that no fault divides
+  BlockSet wanted_;   ///< vertices whose value is needed
+  std::vector<SheetCell> copies_;
   std::vector<Points> homes_;
-  std::size_t evaluated_ = 0;
-  BlockTable<Index> real_node_{-1};
-  BlockTable<std::uint8_t> visited_{0};
-  std::unordered_map<EdgeKey, std::uint64_t> crossing_;
-  struct GhostKey {
-    std::uint64_t vertex;
-    std::uint64_t seed;
-    bool operator==(const GhostKey& o) const { return vertex == o.vertex && seed == o.seed; }
-  };
-  struct GhostHash {
-    std::size_t operator()(const GhostKey& k) const { return k.vertex * 0x9e3779b97f4a7c15ULL ^ k.seed; }
-  };
-  std::unordered_map<GhostKey, Index, GhostHash> ghost_node_;
+  std::vector<FieldValue> ghost_values_;
 };
 
 } // namespace graben

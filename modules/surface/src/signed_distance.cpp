@@ -1,6 +1,7 @@
 #include "graben/surface/signed_distance.h"
 
 #include "box_around.h"
+#include "field_neighborhood.h"
 
 #include <Eigen/Geometry>
 
@@ -16,6 +17,13 @@ constexpr double kWidestGap = 150.0 * kDegree;        // between the directions 
 constexpr double kWidestGapAtFault = 100.0 * kDegree; // the same where faults close the ring
 constexpr std::size_t kEnclosingPicks = 24;
 constexpr int kRays = 16;
+constexpr double kViewpoint = 2.0; // voxels within which the viewpoint lies from its place
+
+Bounds grown(Bounds box, double by) {
+  box.low.array() -= by;
+  box.high.array() += by;
+  return box;
+}
 
 /// Directions around a place, as angles in a tangent plane.
 class Directions {
@@ -51,15 +59,65 @@ SignedDistance::SignedDistance(const NeighborGrid& grid, const TangentPlanes& pl
   options_.overhang = std::min(options_.overhang, options_.rho_plus_delta);
   options_.blend = std::max<std::size_t>(options_.blend, 1);
   const double reach = std::max(options_.rho_plus_delta, options_.fault_reach);
-  query_radius_ = std::sqrt(reach * reach + 3.0 * options_.voxel_size * options_.voxel_size);
+  const double h = options_.voxel_size;
+  query_radius_ = std::sqrt(reach * reach + 3.0 * h * h);
+  usual_reach_ = std::min(query_radius_, std::sqrt(h * h + 1.5 * grid_.cellSize() * grid_.cellSize()));
+  borders_ = std::make_shared<FaultBorders>(faults_);
 }
 
-void SignedDistance::findVisible(const Vector3& v, const Vector3& viewpoint, bool near_faults, Scratch& scratch) const {
+SignedDistance::Scratch::Scratch() : around(std::make_unique<FieldNeighborhood>()) {}
+SignedDistance::Scratch::~Scratch() = default;
+
+void SignedDistance::focusFaults(const Bounds& places, Scratch& scratch) const {
+  const Bounds box = grown(places, query_radius_ + kViewpoint * options_.voxel_size);
+  const Bounds& known = scratch.around->faults.box();
+  if (known.empty() || (box.low.array() < known.low.array()).any() || (box.high.array() > known.high.array()).any())
+    scratch.around->faults = LocalFaults(faults_, *borders_, box);
+}
+
+void SignedDistance::focus(const Bounds& places, Scratch& scratch) const {
+  FieldNeighborhood& around = *scratch.around;
+  around.places = places;
+  around.centre = 0.5 * (places.low + places.high);
+  around.extent = 0.5 * places.diagonal() * (1.0 + 1e-9);
+  around.near.gather(grid_, planes_, localFaults(usual_reach_, around), around.centre, around.extent + usual_reach_, scratch.candidates);
+  around.far.clear();
+}
+
+LocalFaults SignedDistance::localFaults(double reach, const FieldNeighborhood& around) const {
+  return {faults_, *borders_, grown(around.places, reach + kViewpoint * options_.voxel_size)};
+}
+
+/// \return false if there may be nearer ones than those found
+bool SignedDistance::findVisibleNearby(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const {
+  FieldNeighborhood& around = *scratch.around;
+  const double off_centre = (v - around.centre).norm();
+  if (off_centre > around.extent)
+    return false;
+  const std::size_t wanted = options_.blend + 1;
+  if (around.near.gathered()) {
+    const double reach = std::min(around.near.radius() - off_centre, query_radius_);
+    around.near.nearest(v, viewpoint, wanted, reach, scratch.visible);
+    if (scratch.visible.size() == wanted || reach == query_radius_)
+      return true;
+  }
+  if (around.near.faults().empty())
+    return false;
+  if (around.far.untried())
+    around.far.gather(grid_, planes_, localFaults(query_radius_, around), around.centre, around.extent + query_radius_, scratch.candidates);
+  if (around.far.gathered())
+    around.far.nearest(v, viewpoint, wanted, query_radius_, scratch.visible);
+  return around.far.gathered();
+}
+
+void SignedDistance::findVisible(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const {
+  if (findVisibleNearby(v, viewpoint, scratch))
+    return;
+  focusFaults(boxAround(v, 0.0), scratch);
   const std::size_t wanted = options_.blend + 1;
   const auto usable = [&](const Neighbor& c) {
     const auto i = static_cast<std::size_t>(c.index);
-    return planes_.normals[i].x() == planes_.normals[i].x() &&
-           (!near_faults || sameSide(faults_, grid_.points()[i], viewpoint));
+    return planes_.normals[i].x() == planes_.normals[i].x() && scratch.around->faults.sameSide(grid_.points()[i], viewpoint);
   };
   // More and more candidates until enough are on the right side: far from faults the first round does.
   for (std::size_t count = wanted + 2;; count *= 4) {
@@ -68,7 +126,7 @@ void SignedDistance::findVisible(const Vector3& v, const Vector3& viewpoint, boo
     for (const Neighbor& c : scratch.candidates) {
       if (usable(c))
         scratch.visible.push_back(c);
-      if (scratch.visible.size() >= std::max<std::size_t>(wanted, near_faults ? 8 : 0))
+      if (scratch.visible.size() >= wanted)
         return;
     }
     if (scratch.candidates.size() < count || count > 2000)
@@ -85,18 +143,20 @@ bool SignedDistance::surrounded(const Vector3& foot, const Vector3& normal, Scra
 }
 
 bool SignedDistance::enclosed(const Vector3& place, const Vector3& normal, Scratch& scratch) const {
+  focusFaults(boxAround(place, 0.0), scratch);
+  const LocalFaults& faults = scratch.around->faults;
   grid_.nearest(place, 4 * kEnclosingPicks, scratch.candidates, options_.fault_reach);
   Directions directions(normal);
   for (const Neighbor& c : scratch.candidates) {
     const Vector3& pick = grid_.points()[static_cast<std::size_t>(c.index)];
-    if (directions.size() < kEnclosingPicks && sameSide(faults_, pick, place))
+    if (directions.size() < kEnclosingPicks && faults.sameSide(pick, place))
       directions.add(pick - place);
   }
   if (directions.empty())
     return false;
   for (int ray = 0; ray < kRays; ++ray) {
     const Vector3 way = directions.at(2.0 * M_PI * ray / kRays);
-    if (faults_.crosses(place, place + options_.fault_reach * way))
+    if (faults.crosses(place, place + options_.fault_reach * way))
       directions.add(way);
   }
   return directions.widestGap() < kWidestGapAtFault;
@@ -115,13 +175,15 @@ bool SignedDistance::carriedToFault(const Vector3& foot, double near, Scratch& s
 }
 
 bool SignedDistance::insideOutline(const Vector3& place, const Vector3& normal, double near, Scratch& scratch) const {
+  focusFaults(boxAround(place, 0.0), scratch);
+  const LocalFaults& faults = scratch.around->faults;
   grid_.within(place, options_.fault_reach, scratch.candidates);
   Vector3 centre = Vector3::Zero();
   bool both_sides = false;
   for (const Neighbor& c : scratch.candidates) {
     const Vector3& pick = grid_.points()[static_cast<std::size_t>(c.index)];
     centre += pick;
-    both_sides = both_sides || !sameSide(faults_, pick, place);
+    both_sides = both_sides || !faults.sameSide(pick, place);
   }
   if (!both_sides)
     return enclosed(place, normal, scratch);
@@ -136,45 +198,52 @@ bool SignedDistance::insideOutline(const Vector3& place, const Vector3& normal, 
   return directions.widestGap() < M_PI;
 }
 
-bool SignedDistance::supported(const Vector3& foot, const Vector3& viewpoint, bool near_faults, Scratch& scratch) const {
+bool SignedDistance::supported(const Vector3& v, const Vector3& foot, const Vector3& viewpoint, Scratch& scratch) const {
   const Neighbor& first = scratch.visible.front();
   const Vector3 normal = planes_.normals[static_cast<std::size_t>(first.index)];
   double distance = (grid_.points()[static_cast<std::size_t>(first.index)] - foot).norm();
-  if (distance > options_.overhang) {
-    // Another pick may be nearer to the foot than the one nearest to v.
-    grid_.nearest(foot, near_faults ? 32 : 1, scratch.candidates, options_.rho_plus_delta);
-    for (const Neighbor& c : scratch.candidates) {
-      const auto i = static_cast<std::size_t>(c.index);
-      if (near_faults && !sameSide(faults_, grid_.points()[i], viewpoint))
-        continue;
-      distance = std::min(distance, std::sqrt(c.squared_distance));
-      break;
-    }
+  if (distance <= options_.overhang)
+    return true;
+  focusFaults(boxAround(v, 0.0), scratch);
+  const LocalFaults& faults = scratch.around->faults;
+  // Another pick may be nearer to the foot than the one nearest to v.
+  grid_.nearest(foot, faults.empty() ? 1 : 32, scratch.candidates, options_.rho_plus_delta);
+  for (const Neighbor& c : scratch.candidates) {
+    if (!faults.sameSide(grid_.points()[static_cast<std::size_t>(c.index)], viewpoint))
+      continue;
+    distance = std::min(distance, std::sqrt(c.squared_distance));
+    break;
   }
   if (distance <= options_.overhang)
     return true;
   if (distance < options_.rho_plus_delta && surrounded(foot, normal, scratch))
     return true;
-  return near_faults && options_.fault_reach > 0.0 && carriedToFault(foot, options_.overhang, scratch);
+  return options_.fault_reach > 0.0 && !faults.empty() && faults_.mayTouch(boxAround(v, query_radius_)) && carriedToFault(foot, options_.overhang, scratch);
 }
 
 FieldValue SignedDistance::at(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const {
-  FieldValue result;
-  const bool near_faults = faults_.mayTouch(boxAround(v, query_radius_));
-  findVisible(v, viewpoint, near_faults, scratch);
+  findVisible(v, viewpoint, scratch);
   if (scratch.visible.empty())
-    return result;
-  result.plane = scratch.visible.front().index;
+    return {};
+  Vector3 foot;
+  FieldValue result = blended(v, scratch.visible, foot);
+  if (!supported(v, foot, viewpoint, scratch))
+    result.value = std::numeric_limits<double>::quiet_NaN();
+  return result;
+}
 
+/// \param[out] foot where the plane of the value lies below v
+FieldValue SignedDistance::blended(const Vector3& v, const std::vector<Neighbor>& visible, Vector3& foot) const {
+  FieldValue result;
+  result.plane = visible.front().index;
   // Weights fall to zero at the first plane left out, so that the blended field is continuous.
-  const std::size_t used = std::min(options_.blend, scratch.visible.size());
-  const double limit = used < scratch.visible.size() ? scratch.visible[used].squared_distance
-                                                     : 1.1 * scratch.visible.back().squared_distance;
+  const std::size_t used = std::min(options_.blend, visible.size());
+  const double limit = used < visible.size() ? visible[used].squared_distance : 1.1 * visible.back().squared_distance;
   double sum = 0.0;
   double weights = 0.0;
   Vector3 normal = Vector3::Zero();
   for (std::size_t i = 0; i < used; ++i) {
-    const Neighbor& c = scratch.visible[i];
+    const Neighbor& c = visible[i];
     const auto p = static_cast<std::size_t>(c.index);
     const double ratio = limit > 0.0 ? c.squared_distance / limit : 0.0;
     const double weight = used == 1 ? 1.0 : std::max(1.0 - ratio, 1e-6) * std::max(1.0 - ratio, 1e-6);
@@ -182,11 +251,9 @@ FieldValue SignedDistance::at(const Vector3& v, const Vector3& viewpoint, Scratc
     normal += weight * planes_.normals[p];
     weights += weight;
   }
-  const double value = sum / weights;
+  result.value = sum / weights;
   const double length = normal.norm();
-  const Vector3 foot = length > 0.0 ? Vector3(v - value * normal / length) : v;
-  if (supported(foot, viewpoint, near_faults, scratch))
-    result.value = value;
+  foot = length > 0.0 ? Vector3(v - result.value * normal / length) : v;
   return result;
 }
 
@@ -201,7 +268,7 @@ double SignedDistance::distanceBeyond(const Vector3& place, const Vector3& viewp
   if (distance < options_.rho_plus_delta && surrounded(place, normal, scratch))
     return 0.0;
   if (options_.fault_reach > 0.0 && faults_.mayTouch(boxAround(place, options_.fault_reach))) {
-    findVisible(place, viewpoint, true, scratch);
+    findVisible(place, viewpoint, scratch);
     if (!scratch.visible.empty() && carriedToFault(place, near, scratch))
       return 0.0;
   }

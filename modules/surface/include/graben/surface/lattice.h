@@ -5,9 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <memory>
-#include <unordered_map>
-#include <vector>
 
 namespace graben {
 
@@ -32,6 +29,14 @@ inline std::uint64_t latticeKey(const LatticeIndex& p) {
          static_cast<std::uint64_t>(p.k + offset);
 }
 
+/// The lattice index of a key.
+inline LatticeIndex latticeIndexOf(std::uint64_t key) {
+  constexpr std::uint64_t mask = (1U << 20) - 1;
+  constexpr std::int32_t offset = 1 << 19;
+  return {static_cast<std::int32_t>((key >> 40) & mask) - offset, static_cast<std::int32_t>((key >> 20) & mask) - offset,
+          static_cast<std::int32_t>(key & mask) - offset};
+}
+
 /// The regular lattice the surface is extracted on: cell (i,j,k) is the same place whatever data are loaded.
 struct Lattice {
   double voxel_size = 1.0;          ///< h: edge of a cell, in the picks' units
@@ -46,45 +51,6 @@ struct Lattice {
             static_cast<std::int32_t>(std::floor((p.y() - origin.y()) / voxel_size)),
             static_cast<std::int32_t>(std::floor((p.z() - origin.z()) / voxel_size))};
   }
-};
-
-/// A sparse table over the lattice: blocks of 8 x 8 x 8 entries, made when first written to.
-template <typename T>
-class BlockTable {
-public:
-  explicit BlockTable(T empty) : empty_(empty) {}
-
-  /// The entry at \a p, made if it is not there yet. References stay valid while the table lives.
-  T& operator[](const LatticeIndex& p) {
-    const std::uint64_t key = latticeKey({p.i >> 3, p.j >> 3, p.k >> 3});
-    if (key != last_key_ || last_ == nullptr) {
-      std::unique_ptr<Block>& block = blocks_[key];
-      if (!block) {
-        block = std::make_unique<Block>();
-        block->fill(empty_);
-      }
-      last_key_ = key;
-      last_ = block.get();
-    }
-    return (*last_)[offset(p)];
-  }
-
-  /// The entry at \a p, or the empty value; does not make a block and may be called from several threads.
-  T get(const LatticeIndex& p) const {
-    const auto found = blocks_.find(latticeKey({p.i >> 3, p.j >> 3, p.k >> 3}));
-    return found == blocks_.end() ? empty_ : (*found->second)[offset(p)];
-  }
-
-private:
-  using Block = std::array<T, 512>;
-  static std::size_t offset(const LatticeIndex& p) {
-    return static_cast<std::size_t>(((p.i & 7) << 6) | ((p.j & 7) << 3) | (p.k & 7));
-  }
-
-  T empty_;
-  std::unordered_map<std::uint64_t, std::unique_ptr<Block>> blocks_;
-  std::uint64_t last_key_ = 0;
-  Block* last_ = nullptr;
 };
 
 /// Corners and edges of a cell in the order of pcl::edgeTable and pcl::triTable.

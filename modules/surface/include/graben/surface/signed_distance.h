@@ -4,9 +4,14 @@
 #include "graben/faults/fault_signature.h"
 
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace graben {
+
+class FaultBorders;
+class LocalFaults;
+struct FieldNeighborhood;
 
 struct SignedDistanceOptions {
   double rho_plus_delta = 0.0; ///< the field is undefined where its foot lies farther than this from the data (Hoppe 1992, section 3.4)
@@ -35,11 +40,18 @@ public:
   SignedDistance(const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
                  const SignedDistanceOptions& options);
 
-  /// Buffers of one thread.
+  /// Buffers of one thread, and what lies around the places it asks about.
   struct Scratch {
+    Scratch();
+    ~Scratch();
     std::vector<Neighbor> candidates;
     std::vector<Neighbor> visible;
+    std::unique_ptr<FieldNeighborhood> around;
   };
+
+  /// Makes the buffers ready for many questions about places in a box of a few cells: picks and faults around them are looked up once. The answers
+  /// stay the same.
+  void focus(const Bounds& places, Scratch& scratch) const;
 
   FieldValue at(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
 
@@ -54,18 +66,24 @@ public:
   const NeighborGrid& grid() const { return grid_; }
 
 private:
-  void findVisible(const Vector3& v, const Vector3& viewpoint, bool near_faults, Scratch& scratch) const;
-  bool supported(const Vector3& foot, const Vector3& viewpoint, bool near_faults, Scratch& scratch) const;
+  void findVisible(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
+  bool findVisibleNearby(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
+  bool supported(const Vector3& v, const Vector3& foot, const Vector3& viewpoint, Scratch& scratch) const;
   bool surrounded(const Vector3& foot, const Vector3& normal, Scratch& scratch) const;
   bool enclosed(const Vector3& place, const Vector3& normal, Scratch& scratch) const;
   bool insideOutline(const Vector3& place, const Vector3& normal, double near, Scratch& scratch) const;
   bool carriedToFault(const Vector3& foot, double near, Scratch& scratch) const;
+  LocalFaults localFaults(double reach, const FieldNeighborhood& around) const;
+  void focusFaults(const Bounds& places, Scratch& scratch) const;
+  FieldValue blended(const Vector3& v, const std::vector<Neighbor>& visible, Vector3& foot) const;
 
   const NeighborGrid& grid_;
   const TangentPlanes& planes_;
   const FaultNetwork& faults_;
   SignedDistanceOptions options_;
+  std::shared_ptr<const FaultBorders> borders_;
   double query_radius_ = 0.0;
+  double usual_reach_ = 0.0; ///< within which the picks for a value mostly are
 };
 
 } // namespace graben

@@ -1,0 +1,211 @@
+#include "faulted_cells.h"
+
+#include "graben/core/threads.h"
+#include "graben/faults/fault_signature.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace graben {
+
+namespace {
+
+std::uint64_t edgeKey(const LatticeIndex& low, int axis) {
+  return (latticeKey(low) << 2) | static_cast<std::uint64_t>(axis);
+}
+
+LatticeIndex axisStep(int axis) { return {axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0}; }
+
+/// Groups of corners joined by edges that no fault crosses; the group of a corner is its lowest corner.
+std::array<int, 8> cornerGroups(const std::array<std::uint64_t, 12>& crossed) {
+  std::array<int, 8> group{};
+  std::iota(group.begin(), group.end(), 0);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t e = 0; e < 12; ++e) {
+      if (crossed[e] != 0)
+        continue;
+      int& a = group[static_cast<std::size_t>(cube::kEdge[e][0])];
+      int& b = group[static_cast<std::size_t>(cube::kEdge[e][1])];
+      if (a != b) {
+        a = b = std::min(a, b);
+        changed = true;
+      }
+    }
+  }
+  return group;
+}
+
+/// What lies between a group and every other corner: exclusive-or of the crossings along the shortest way over the cell's edges.
+std::array<std::uint64_t, 8> signaturesFrom(int group, const std::array<int, 8>& groups,
+                                            const std::array<std::uint64_t, 12>& crossed) {
+  std::array<std::uint64_t, 8> signature{};
+  std::array<bool, 8> known{};
+  for (std::size_t c = 0; c < 8; ++c)
+    known[c] = groups[c] == group;
+  for (int round = 0; round < 4; ++round) {
+    const std::array<bool, 8> before = known;
+    for (std::size_t e = 0; e < 12; ++e) {
+      for (std::size_t way = 0; way < 2; ++way) {
+        const auto from = static_cast<std::size_t>(cube::kEdge[e][way]);
+        const auto to = static_cast<std::size_t>(cube::kEdge[e][1 - way]);
+        if (before[from] && !known[to]) {
+          known[to] = true;
+          signature[to] = signature[from] ^ crossed[e];
+        }
+      }
+    }
+  }
+  return signature;
+}
+
+/// Lattice vertices around one, in sets; used for the groups of the eight cells that share it.
+class VertexSets {
+public:
+  explicit VertexSets(const LatticeIndex& middle) : middle_(middle) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  void join(const LatticeIndex& a, const LatticeIndex& b) {
+    const int p = find(slot(a));
+    const int q = find(slot(b));
+    parent_[static_cast<std::size_t>(std::max(p, q))] = std::min(p, q);
+    used_[static_cast<std::size_t>(slot(a))] = used_[static_cast<std::size_t>(slot(b))] = true;
+  }
+
+  /// The first vertex in lattice order that is in the set of \a of.
+  LatticeIndex first(const LatticeIndex& of) const { return at(find(slot(of))); }
+
+  /// The first vertex in lattice order of all that were joined to anything.
+  LatticeIndex first() const { return at(static_cast<int>(std::find(used_.begin(), used_.end(), true) - used_.begin())); }
+
+private:
+  int slot(const LatticeIndex& p) const {
+    const LatticeIndex d = p - middle_;
+    return 9 * (d.i + 1) + 3 * (d.j + 1) + d.k + 1;
+  }
+  LatticeIndex at(int slot) const { return middle_ + LatticeIndex{slot / 9 - 1, slot / 3 % 3 - 1, slot % 3 - 1}; }
+  int find(int s) const {
+    while (parent_[static_cast<std::size_t>(s)] != s)
+      s = parent_[static_cast<std::size_t>(s)];
+    return s;
+  }
+
+  LatticeIndex middle_;
+  std::array<int, 27> parent_{};
+  std::array<bool, 27> used_{};
+};
+
+} // namespace
+
+void FaultedCells::findCrossings(const std::vector<LatticeIndex>& cells) {
+  std::vector<EdgeKey> keys;
+  for (const LatticeIndex& cell : cells)
+    for (std::size_t e = 0; e < 12; ++e)
+      keys.push_back(edgeKey(cell + cube::kCorner[static_cast<std::size_t>(cube::kEdgeLow[e])], cube::kEdgeAxis[e]));
+  fillCrossings(keys);
+
+  // Whether a corner seen through a fault lies beside a tip depends on all cells around it.
+  keys.clear();
+  for (const LatticeIndex& cell : cells) {
+    const auto crossed = crossings(cell);
+    if (std::all_of(crossed.begin(), crossed.end(), [](std::uint64_t s) { return s == 0; }))
+      continue;
+    for (int i = -1; i <= 2; ++i)
+      for (int j = -1; j <= 2; ++j)
+        for (int k = -1; k <= 2; ++k)
+          for (int axis = 0; axis < 3; ++axis)
+            if ((axis == 0 ? i : axis == 1 ? j : k) < 2)
+              keys.push_back(edgeKey(cell + LatticeIndex{i, j, k}, axis));
+  }
+  fillCrossings(keys);
+}
+
+void FaultedCells::fillCrossings(std::vector<EdgeKey>& keys) {
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  keys.erase(std::remove_if(keys.begin(), keys.end(), [this](EdgeKey k) { return crossing_.count(k) != 0; }), keys.end());
+  std::vector<std::uint64_t> signature(keys.size());
+  parallelFor(keys.size(), 256, threads_, [&](std::size_t i) {
+    const LatticeIndex low = latticeIndexOf(keys[i] >> 2);
+    const LatticeIndex high = low + axisStep(static_cast<int>(keys[i] & 3));
+    signature[i] = faultSignature(faults_, lattice_.position(low), lattice_.position(high));
+  });
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    crossing_.emplace(keys[i], signature[i]);
+}
+
+std::array<std::uint64_t, 12> FaultedCells::crossings(const LatticeIndex& cell) const {
+  std::array<std::uint64_t, 12> crossed{};
+  for (std::size_t e = 0; e < 12; ++e) {
+    const LatticeIndex low = cell + cube::kCorner[static_cast<std::size_t>(cube::kEdgeLow[e])];
+    const auto found = crossing_.find(edgeKey(low, cube::kEdgeAxis[e]));
+    crossed[e] = found == crossing_.end() ? 0 : found->second;
+  }
+  return crossed;
+}
+
+/// True if what lies between the two sides ends in a cell around the vertex: some edge there is crossed and yet its ends are joined round the end.
+bool FaultedCells::nearTip(const LatticeIndex& vertex, std::uint64_t signature) const {
+  for (const LatticeIndex& corner : cube::kCorner) {
+    const auto crossed = crossings(vertex - corner);
+    const auto groups = cornerGroups(crossed);
+    for (std::size_t e = 0; e < 12; ++e)
+      if (crossed[e] == signature &&
+          groups[static_cast<std::size_t>(cube::kEdge[e][0])] == groups[static_cast<std::size_t>(cube::kEdge[e][1])])
+        return true;
+  }
+  return false;
+}
+
+std::vector<CellCopy> FaultedCells::copies(const LatticeIndex& cell) {
+  std::vector<CellCopy> result;
+  const auto crossed = crossings(cell);
+  const auto groups = cornerGroups(crossed);
+  if (std::all_of(groups.begin(), groups.end(), [](int g) { return g == 0; }))
+    return result;
+  for (int group = 0; group < 8; ++group) {
+    if (groups[static_cast<std::size_t>(group)] != group)
+      continue;
+    CellCopy copy;
+    const LatticeIndex own = cell + cube::kCorner[static_cast<std::size_t>(group)];
+    const auto between = signaturesFrom(group, groups, crossed);
+    for (std::size_t c = 0; c < 8; ++c) {
+      const LatticeIndex vertex = cell + cube::kCorner[c];
+      const bool member = groups[c] == group;
+      if (member)
+        copy.home.push_back(lattice_.position(vertex));
+      copy.corner[c] = vertex;
+      copy.ghost[c] = member || nearTip(vertex, between[c]) ? -1 : ghostOf(vertex, own);
+    }
+    result.push_back(std::move(copy));
+  }
+  return result;
+}
+
+LatticeIndex FaultedCells::seedOf(const LatticeIndex& ghost, const LatticeIndex& own) const {
+  VertexSets sets(ghost);
+  std::uint64_t only = 0;
+  bool several_faults = false;
+  for (std::size_t c = 0; c < 8; ++c) {
+    const LatticeIndex cell = ghost - cube::kCorner[c];
+    const auto crossed = crossings(cell);
+    const auto groups = cornerGroups(crossed);
+    for (const std::uint64_t signature : crossed) {
+      several_faults = several_faults || (signature != 0 && only != 0 && signature != only);
+      only = signature != 0 ? signature : only;
+    }
+    for (std::size_t k = 0; k < 8; ++k)
+      if (groups[k] != groups[c])
+        sets.join(cell + cube::kCorner[k], cell + cube::kCorner[static_cast<std::size_t>(groups[k])]);
+  }
+  return several_faults ? sets.first(own) : sets.first();
+}
+
+Index FaultedCells::ghostOf(const LatticeIndex& vertex, const LatticeIndex& own) {
+  const LatticeIndex seed = seedOf(vertex, own);
+  const auto [entry, added] = ghost_.try_emplace(GhostKey{latticeKey(vertex), latticeKey(seed)}, static_cast<Index>(ghosts_.size()));
+  if (added)
+    ghosts_.push_back({vertex, seed});
+  return entry->second;
+}
+
+} // namespace graben

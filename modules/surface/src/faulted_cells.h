@@ -1,0 +1,61 @@
+#pragma once
+
+#include "graben/surface/sheet_extraction.h"
+
+#include <unordered_map>
+
+namespace graben {
+
+/// A lattice vertex on a sheet carried on through a fault.
+struct GhostVertex {
+  LatticeIndex at;
+  LatticeIndex seen_from; ///< the vertex on the sheet's own side whose picks count
+};
+
+/// One side's copy of a cell that faults divide.
+struct CellCopy {
+  std::array<LatticeIndex, 8> corner;
+  std::array<Index, 8> ghost{}; ///< ghost of the corner, or -1 for the lattice vertex itself
+  Points home;                  ///< the corners on this side
+};
+
+/// How faults divide cells: their corners fall into groups that no crossed edge joins, and each group gets a copy of the cell. Around a tip line the
+/// copies join.
+class FaultedCells {
+public:
+  FaultedCells(const FaultNetwork& faults, const Lattice& lattice, unsigned threads) : faults_(faults), lattice_(lattice), threads_(threads) {}
+
+  /// To be called for all cells that a fault may touch before copies() is.
+  void findCrossings(const std::vector<LatticeIndex>& cells);
+
+  /// The copies of a cell; none where no fault divides it.
+  std::vector<CellCopy> copies(const LatticeIndex& cell);
+
+  const std::vector<GhostVertex>& ghosts() const { return ghosts_; }
+
+private:
+  using EdgeKey = std::uint64_t;
+  struct GhostKey {
+    std::uint64_t vertex;
+    std::uint64_t seed;
+    bool operator==(const GhostKey& o) const { return vertex == o.vertex && seed == o.seed; }
+  };
+  struct GhostHash {
+    std::size_t operator()(const GhostKey& k) const { return k.vertex * 0x9e3779b97f4a7c15ULL ^ k.seed; }
+  };
+
+  void fillCrossings(std::vector<EdgeKey>& keys);
+  std::array<std::uint64_t, 12> crossings(const LatticeIndex& cell) const;
+  bool nearTip(const LatticeIndex& vertex, std::uint64_t signature) const;
+  LatticeIndex seedOf(const LatticeIndex& ghost, const LatticeIndex& own) const;
+  Index ghostOf(const LatticeIndex& vertex, const LatticeIndex& own);
+
+  const FaultNetwork& faults_;
+  const Lattice& lattice_;
+  unsigned threads_;
+  std::vector<GhostVertex> ghosts_;
+  std::unordered_map<EdgeKey, std::uint64_t> crossing_; ///< lattice edge -> signature of what crosses it
+  std::unordered_map<GhostKey, Index, GhostHash> ghost_;
+};
+
+} // namespace graben

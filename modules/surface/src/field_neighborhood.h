@@ -1,0 +1,53 @@
+#pragma once
+
+#include "local_faults.h"
+
+#include "graben/features/tangent_planes.h"
+
+namespace graben {
+
+/// The picks with a plane in a ball, for many nearest-neighbour questions about places in it.
+class NearbyPicks {
+public:
+  void clear() { state_ = State::Untried; }
+  bool untried() const { return state_ == State::Untried; }
+  /// False also if there were too many to look through for each question.
+  bool gathered() const { return state_ == State::Gathered; }
+  double radius() const { return radius_; }
+  const LocalFaults& faults() const { return faults_; }
+
+  /// \param[in] faults in a box that holds the ball
+  void gather(const NeighborGrid& grid, const TangentPlanes& planes, LocalFaults faults, const Vector3& centre, double radius,
+              std::vector<Neighbor>& buffer);
+
+  /// The nearest picks to v that no fault hides from the viewpoint, at most \a wanted, within \a reach, nearest first (see NeighborGrid); the ball of
+  /// that radius about v must lie in the one gathered.
+  void nearest(const Vector3& v, const Vector3& viewpoint, std::size_t wanted, double reach, std::vector<Neighbor>& out);
+
+private:
+  enum class State { Untried, Gathered, TooMany };
+  double knownBound(int sides, std::size_t wanted, double reach) const;
+  void take(std::size_t pick, std::size_t wanted);
+
+  State state_ = State::Untried;
+  double radius_ = 0.0;
+  LocalFaults faults_;
+  std::vector<double> x_, y_, z_;
+  std::vector<Index> index_;
+  std::vector<int> sides_;
+  std::vector<double> squared_;         ///< distances of all picks in the question at hand
+  std::vector<std::uint32_t> within_;   ///< those that may be among the nearest
+  std::vector<std::uint32_t> chosen_;   ///< nearest first; of the last question until they are replaced
+};
+
+/// What lies around places in a ball.
+struct FieldNeighborhood {
+  Bounds places;
+  Vector3 centre = Vector3::Zero();
+  double extent = -1.0; ///< radius of the ball about the places
+  NearbyPicks near;     ///< as far as mostly needed
+  NearbyPicks far;      ///< as far as may ever be needed
+  LocalFaults faults;   ///< around places asked about one by one
+};
+
+} // namespace graben

@@ -1,0 +1,160 @@
+#pragma once
+
+#include "graben/surface/lattice.h"
+#include "graben/surface/signed_distance.h"
+
+#include <memory>
+#include <vector>
+
+namespace graben {
+
+/// A set of cells or lattice vertices of one block of 4 x 4 x 4: bit 16 i + 4 j + k.
+using BlockMask = std::uint64_t;
+
+namespace block {
+
+constexpr int kSlots = 64;
+/// The blocks whose vertices a block's cells have as corners: (0,0,0), (0,0,1), (0,1,0), ... (1,1,1), as 4 i + 2 j + k.
+constexpr std::size_t kForward = 8;
+constexpr std::array<int, 3> kShift = {16, 4, 1};
+constexpr std::array<BlockMask, 3> kFirst = {0x000000000000ffffULL, 0x000f000f000f000fULL, 0x1111111111111111ULL};
+constexpr std::array<BlockMask, 3> kLast = {kFirst[0] << 48, kFirst[1] << 12, kFirst[2] << 3};
+
+inline int slotOf(const LatticeIndex& p) { return ((p.i & 3) << 4) | ((p.j & 3) << 2) | (p.k & 3); }
+inline LatticeIndex inBlock(int slot) { return {slot >> 4, (slot >> 2) & 3, slot & 3}; }
+inline LatticeIndex blockOf(const LatticeIndex& p) { return {p.i >> 2, p.j >> 2, p.k >> 2}; }
+constexpr LatticeIndex forward(std::size_t f) { return {static_cast<int>(f >> 2), static_cast<int>((f >> 1) & 1), static_cast<int>(f & 1)}; }
+inline BlockMask bit(int slot) { return BlockMask(1) << slot; }
+inline int lowest(BlockMask mask) { return __builtin_ctzll(mask); }
+
+/// Number of members; compilers call a slow function for the builtin unless told the processor.
+inline Index count(BlockMask m) {
+  m -= (m >> 1) & 0x5555555555555555ULL;
+  m = (m & 0x3333333333333333ULL) + ((m >> 2) & 0x3333333333333333ULL);
+  m = (m + (m >> 4)) & 0x0f0f0f0f0f0f0f0fULL;
+  return static_cast<Index>((m * 0x0101010101010101ULL) >> 56);
+}
+/// Members before a slot.
+inline Index rank(BlockMask mask, int slot) { return count(mask & (bit(slot) - 1)); }
+
+/// What lies one step further along an axis: member s of the result is member s + 1 of the block, or of the next block.
+inline BlockMask pull(BlockMask own, BlockMask next, std::size_t axis) {
+  return ((own & ~kFirst[axis]) >> kShift[axis]) | ((next & kFirst[axis]) << (3 * kShift[axis]));
+}
+
+/// For each cell whether its corner at an offset of 0 or 1 along each axis is a member, from the vertices of the forward blocks.
+inline BlockMask corner(const std::array<BlockMask, kForward>& m, const LatticeIndex& at) {
+  std::array<BlockMask, 4> i{};
+  for (std::size_t f = 0; f < 4; ++f)
+    i[f] = at.i != 0 ? pull(m[f], m[f + 4], 0) : m[f];
+  const BlockMask low = at.j != 0 ? pull(i[0], i[2], 1) : i[0];
+  const BlockMask high = at.j != 0 ? pull(i[1], i[3], 1) : i[1];
+  return at.k != 0 ? pull(low, high, 2) : low;
+}
+
+/// The inverse of pull(): what lies one step back along an axis.
+inline BlockMask push(BlockMask own, BlockMask before, std::size_t axis) {
+  return ((own & ~kLast[axis]) << kShift[axis]) | ((before & kLast[axis]) >> (3 * kShift[axis]));
+}
+
+/// For each vertex whether the cell of which it is the given corner is a member, from the cells of the blocks behind (numbered as the forward ones).
+inline BlockMask cellWithCorner(const std::array<BlockMask, kForward>& m, const LatticeIndex& at) {
+  std::array<BlockMask, 4> i{};
+  for (std::size_t f = 0; f < 4; ++f)
+    i[f] = at.i != 0 ? push(m[f], m[f + 4], 0) : m[f];
+  const BlockMask low = at.j != 0 ? push(i[0], i[2], 1) : i[0];
+  const BlockMask high = at.j != 0 ? push(i[1], i[3], 1) : i[1];
+  return at.k != 0 ? push(low, high, 2) : low;
+}
+
+/// All corners of cells, as vertices of the forward blocks.
+inline std::array<BlockMask, kForward> cornersOf(BlockMask cells) {
+  std::array<BlockMask, kForward> m{};
+  m[0] = cells;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t step = std::size_t(4) >> axis;
+    for (std::size_t f = 0; f < kForward; ++f) {
+      if ((f & step) != 0)
+        continue;
+      m[f | step] |= (m[f] & kLast[axis]) >> (3 * kShift[axis]);
+      m[f] |= (m[f] & ~kLast[axis]) << kShift[axis];
+    }
+  }
+  return m;
+}
+
+} // namespace block
+
+/// A block of the lattice: its cells, and the lattice vertices at their low corners.
+struct LatticeBlock {
+  LatticeIndex at;                 ///< the block is the lattice's 4 at.i to 4 at.i + 3 and so on
+  std::array<Index, block::kForward> forward{}; ///< blocks beside it (see block::kForward), -1 where there is none
+  std::array<Index, block::kForward> back{};    ///< the same behind it
+  BlockMask visited = 0;           ///< cells that were looked at
+  BlockMask surface = 0;           ///< cells with a piece of the surface that no fault divides
+  BlockMask asked = 0;             ///< vertices the field was asked for
+  BlockMask defined = 0;           ///< and is defined at
+  BlockMask inside = 0;            ///< and is less than the iso level at
+  std::array<double, block::kSlots> value; ///< field less the iso level
+  std::array<Index, block::kSlots> plane;  ///< see FieldValue
+
+  LatticeIndex vertex(int slot) const {
+    const LatticeIndex p = block::inBlock(slot);
+    return {4 * at.i + p.i, 4 * at.j + p.j, 4 * at.k + p.k};
+  }
+};
+
+/// The blocks that the surface passes near, made as it is followed.
+class LatticeBlocks {
+public:
+  std::size_t size() const { return size_; }
+  LatticeBlock& operator[](std::size_t b) { return chunks_[b / kChunk][b % kChunk]; }
+  const LatticeBlock& operator[](std::size_t b) const { return chunks_[b / kChunk][b % kChunk]; }
+
+  /// The block at a block index, -1 if there is none.
+  Index find(const LatticeIndex& at) const;
+  /// The same, made if it is not there yet.
+  Index make(const LatticeIndex& at);
+  /// The forward block, made if it is not there yet.
+  Index makeForward(std::size_t b, std::size_t f);
+  /// Fills in the blocks beside each block, however they were made.
+  void link(unsigned threads);
+
+private:
+  static constexpr std::size_t kChunk = 256;
+  void grow();
+  std::size_t slotFor(std::uint64_t key) const;
+
+  std::vector<std::unique_ptr<LatticeBlock[]>> chunks_; ///< never moved, so that none is held twice
+  std::size_t size_ = 0;
+  std::vector<Index> table_; ///< open-addressing hash by the block's key
+};
+
+/// A set of cells or vertices per block, for the blocks that have any: what is to be looked at next.
+struct BlockSet {
+  std::vector<Index> blocks;     ///< in the order they were first added
+  std::vector<BlockMask> masks;  ///< of every block of the lattice
+
+  void add(Index b, BlockMask mask) {
+    if (mask == 0)
+      return;
+    const auto i = static_cast<std::size_t>(b);
+    if (i >= masks.size())
+      masks.resize(i + i / 2 + 64, 0);
+    if (masks[i] == 0)
+      blocks.push_back(b);
+    masks[i] |= mask;
+  }
+  BlockMask of(Index b) const {
+    const auto i = static_cast<std::size_t>(b);
+    return i < masks.size() ? masks[i] : 0;
+  }
+  bool empty() const { return blocks.empty(); }
+  void clear() {
+    for (const Index b : blocks)
+      masks[static_cast<std::size_t>(b)] = 0;
+    blocks.clear();
+  }
+};
+
+} // namespace graben
