@@ -214,7 +214,8 @@ private:
     const Side x = crossingsOf(v);
     switch ((x[0] >= 0) + (x[1] >= 0) + (x[2] >= 0)) {
     case 0:
-      markEdgesAlongFault(v);
+      if (!endInside(t, v))
+        markEdgesAlongFault(v);
       break;
     case 1:
       splitOnce(t, v, x);
@@ -239,6 +240,24 @@ private:
       if (middle.fault >= 0 && !middle.at_border)
         cut(a, b);
     }
+  }
+
+  /// The cut enters at a corner that lies on the fault and ends where the fault's border passes through. \return false if this is not the case
+  bool endInside(std::size_t t, const Triangle& v) {
+    if (on(v[0]) + on(v[1]) + on(v[2]) != 1)
+      return false;
+    const std::size_t corner = on(v[0]) ? 0 : on(v[1]) ? 1 : 2;
+    const auto tip = tipIn(v);
+    const Vector3& start = mesh_.vertices[static_cast<std::size_t>(v[corner])];
+    if (!tip || (*tip - start).norm() < tolerance_)
+      return false;
+    const FaultPoint middle = faults_.nearest(fault_, 0.5 * (start + *tip), 0.25 * (*tip - start).norm());
+    if (middle.fault < 0 || middle.at_border)
+      return false;
+    const Index end = addVertex(*tip, {v[0], v[1], v[2]}, {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0});
+    cut(v[corner], end);
+    replace(t, {{v[0], v[1], end}, {v[1], v[2], end}, {v[2], v[0], end}});
+    return true;
   }
 
   /// The cut enters by one edge: it leaves by the opposite corner if that lies on the fault, ends where the fault's border passes through, or

@@ -93,6 +93,18 @@ TEST(FaultCut, EndsInsideWhereTheFaultDoes) {
   EXPECT_NEAR(high, north, 1e-9);
 }
 
+TEST(FaultCut, EndsBetweenACornerOnTheFaultAndTheOppositeEdge) {
+  const Vector3 tip(2.2, 1.1, 0.0); // inside a triangle at the vertex (2, 1), through which the fault comes
+  const FaultNetwork faults({wall("short", -20.0 * tip, tip)});
+  const TriangleMesh before = test::flatGrid(30, 1.0);
+  const CutMesh cut = cutAlongFaults(before, faults, {});
+  expectExact(cut, before, faults);
+  double farthest = 0.0;
+  for (const auto& place : standing(cut))
+    farthest = std::max(farthest, place.first[0]);
+  EXPECT_NEAR(farthest, tip.x(), 1e-9);
+}
+
 TEST(FaultCut, ABranchMakesThreePiecesThatMeetOnItsLine) {
   const FaultNetwork faults(
       {wall("main", {0.3, -20, 0}, {0.3, 20, 0}), wall("branch", {0.3, 1.4, 0}, {20, 9.4, 0})},
