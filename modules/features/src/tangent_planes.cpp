@@ -2,6 +2,7 @@
 
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
+#include "measured_normals.h"
 #include "neighborhood_grower.h"
 #include "plane_fit.h"
 
@@ -22,19 +23,66 @@ TangentPlanes noPlanes(std::size_t count) {
   return planes;
 }
 
-/// Fits plane number \a i, of the given place, to the points given by index.
-void fit(const Points& points, const std::vector<Index>& neighbors, const Vector3& place, std::size_t i, TangentPlanes& planes) {
-  const std::optional<detail::FittedPlane> plane = detail::fitPlane(points, neighbors);
-  if (!plane)
-    return;
-  double farthest = 0.0;
-  for (const Index n : neighbors)
-    farthest = std::max(farthest, (points[static_cast<std::size_t>(n)] - place).squaredNorm());
-  planes.centres[i] = plane->centre;
-  planes.normals[i] = plane->normal;
-  planes.curvature[i] = static_cast<float>(plane->curvature);
-  planes.reach[i] = static_cast<float>(std::sqrt(farthest));
-}
+/// Fits planes to neighbourhoods and mixes in what was measured.
+class PlaneFitter {
+public:
+  PlaneFitter(const Points& points, const detail::MeasuredNormals& measured, double weight)
+      : points_(points)
+      , measured_(measured)
+      , weight_(weight) {}
+
+  /// Sets plane number \a i, of the given place. \param[in] neighbors the pick at that very place first, if there is one
+  void fit(const std::vector<Index>& neighbors, const Vector3& place, std::size_t i, TangentPlanes& planes) const {
+    if (neighbors.empty())
+      return;
+    double farthest = 0.0;
+    bool pulled = false;
+    for (const Index n : neighbors) {
+      farthest = std::max(farthest, (pointOf(n) - place).squaredNorm());
+      pulled = pulled || measured_.has(n);
+    }
+    const detail::Scatter scatter = detail::scatterOf(points_, neighbors);
+    std::optional<detail::FittedPlane> plane;
+    if (pulled && measured_.has(neighbors.front()) && pointOf(neighbors.front()) == place)
+      plane = measuredPlane(scatter, place, measured_.of(neighbors.front()));
+    else if (pulled && neighbors.size() >= 3)
+      plane = pulledPlane(scatter, neighbors, place, farthest);
+    else if (neighbors.size() >= 3)
+      plane = detail::fitPlane(scatter);
+    if (!plane)
+      return;
+    planes.centres[i] = plane->centre;
+    planes.normals[i] = plane->normal;
+    planes.curvature[i] = static_cast<float>(plane->curvature);
+    planes.reach[i] = static_cast<float>(std::sqrt(farthest));
+  }
+
+private:
+  const Vector3& pointOf(Index i) const { return points_[static_cast<std::size_t>(i)]; }
+
+  static detail::FittedPlane measuredPlane(const detail::Scatter& scatter, const Vector3& place, const Vector3& normal) {
+    const double all = scatter.sum.trace();
+    const double across = normal.dot(scatter.sum.selfadjointView<Eigen::Lower>() * normal);
+    return {place, normal, all > 0.0 ? std::min(across / all, 1.0 / 3.0) : 0.0};
+  }
+
+  std::optional<detail::FittedPlane> pulledPlane(const detail::Scatter& scatter, const std::vector<Index>& neighbors, const Vector3& place,
+                                                 double farthest) const {
+    Eigen::Matrix3d pull = Eigen::Matrix3d::Zero();
+    for (const Index n : neighbors) {
+      if (!measured_.has(n))
+        continue;
+      const Vector3& m = measured_.of(n);
+      const double weight = weight_ * 0.5 * scatter.sum.trace() * (1.0 - (pointOf(n) - place).squaredNorm() / farthest);
+      pull += weight * (Eigen::Matrix3d::Identity() - m * m.transpose()); // as -m m^T, but never negative
+    }
+    return detail::fitPlane(scatter, &pull);
+  }
+
+  const Points& points_;
+  const detail::MeasuredNormals& measured_;
+  double weight_;
+};
 
 void check(const NeighborGrid& grid, const TangentPlaneOptions& options) {
   if (options.neighbors < 3)
@@ -47,6 +95,8 @@ void check(const NeighborGrid& grid, const TangentPlaneOptions& options) {
   if (std::isnan(options.max_distance) || options.max_distance < 0.0)
     throw InvalidInputError("estimating tangent planes",
                             "The farthest neighbour's distance must be 0 (no limit) or positive.");
+  if (!std::isfinite(options.measured_weight) || options.measured_weight < 0.0)
+    throw InvalidInputError("estimating tangent planes", "The weight of measured normals must be 0 or positive.");
   if (grid.points().size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()))
     throw InvalidInputError("estimating tangent planes",
                             "The cloud has more points than a 32-bit index counts.");
@@ -66,7 +116,10 @@ void growNeighborhood(const NeighborGrid& grid, const FaultNetwork& faults, Inde
 TangentPlanes estimateTangentPlanes(const NeighborGrid& grid, const FaultNetwork& faults,
                                     const TangentPlaneOptions& options) {
   check(grid, options);
+  const detail::MeasuredNormals measured(grid, options.measured);
+  const PlaneFitter fitter(grid.points(), measured, options.measured_weight);
   TangentPlanes planes = noPlanes(grid.points().size());
+  planes.measured = measured.picks();
   const std::vector<Index>& order = grid.order();
   parallelBlocks(order.size(), GRAIN, options.threads, [&](std::size_t begin, std::size_t end) {
     detail::NeighborhoodGrower grower(grid, faults, options);
@@ -74,7 +127,7 @@ TangentPlanes estimateTangentPlanes(const NeighborGrid& grid, const FaultNetwork
     for (std::size_t i = begin; i < end; ++i) {
       grower.grow(order[i], neighbors);
       const auto pick = static_cast<std::size_t>(order[i]);
-      fit(grid.points(), neighbors, grid.points()[pick], pick, planes);
+      fitter.fit(neighbors, grid.points()[pick], pick, planes);
     }
   });
   return planes;
@@ -83,13 +136,20 @@ TangentPlanes estimateTangentPlanes(const NeighborGrid& grid, const FaultNetwork
 TangentPlanes estimateTangentPlanesAt(const NeighborGrid& grid, const FaultNetwork& faults,
                                       const TangentPlaneOptions& options, const Points& places) {
   check(grid, options);
+  const detail::MeasuredNormals measured(grid, options.measured);
+  const PlaneFitter fitter(grid.points(), measured, options.measured_weight);
   TangentPlanes planes = noPlanes(places.size());
+  for (std::size_t i = 0; i < places.size() && !measured.empty(); ++i) {
+    const Neighbor nearest = grid.nearestOne(places[i], 0.0);
+    if (nearest.index >= 0 && measured.has(nearest.index))
+      planes.measured.push_back(static_cast<Index>(i));
+  }
   parallelBlocks(places.size(), GRAIN, options.threads, [&](std::size_t begin, std::size_t end) {
     detail::NeighborhoodGrower grower(grid, faults, options);
     std::vector<Index> neighbors;
     for (std::size_t i = begin; i < end; ++i) {
       grower.growAt(places[i], neighbors);
-      fit(grid.points(), neighbors, places[i], i, planes);
+      fitter.fit(neighbors, places[i], i, planes);
     }
   });
   return planes;

@@ -199,6 +199,114 @@ TEST(TangentPlanes, TheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.curvature, four.curvature);
 }
 
+/// A plane of picks with noise, and a measured normal at its middle.
+struct MeasuredPlane {
+  test::PlanarGrid grid = {10.0, 0.0, 300.0, 300.0, 0.3, -0.1, 0.0};
+  Points points;
+  TangentPlaneOptions options;
+  Index middle = 15 * 31 + 15;
+
+  explicit MeasuredPlane(const Vector3& normal) {
+    grid.appendTo(points);
+    test::Random random(3);
+    for (Vector3& p : points)
+      p.z() += random.normal(2.0);
+    options.measured = {{middle, normal}};
+  }
+};
+
+TEST(TangentPlanes, AMeasuredNormalIsKeptAndItsPlaneHoldsThePick) {
+  const Vector3 normal = Vector3(0.5, 0.2, -2.0);
+  MeasuredPlane cloud(normal);
+  const TangentPlanes planes = planesOf(cloud.points, cloud.options);
+  const auto pick = static_cast<std::size_t>(cloud.middle);
+  EXPECT_LT((planes.normals[pick] - normal.normalized()).norm(), 1e-15);
+  EXPECT_EQ(planes.centres[pick], cloud.points[pick]);
+  EXPECT_GT(planes.reach[pick], 15.0F);
+  EXPECT_GT(planes.curvature[pick], 0.0F);
+  EXPECT_THAT(planes.measured, testing::ElementsAre(cloud.middle));
+  EXPECT_TRUE(planesOf(cloud.points).measured.empty());
+}
+
+TEST(TangentPlanes, AMeasuredNormalTurnsThoseAroundItAndNoOthers) {
+  MeasuredPlane cloud(-test::PlanarGrid{10.0, 0.0, 1.0, 1.0, 0.3, -0.1, 0.0}.normal());
+  const TangentPlanes without = planesOf(cloud.points), with = planesOf(cloud.points, cloud.options);
+  cloud.options.measured_weight = 100.0;
+  const TangentPlanes strongly = planesOf(cloud.points, cloud.options);
+  const NeighborGrid grid(cloud.points);
+  std::vector<Index> neighbors;
+  int turned = 0;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    growNeighborhood(grid, {}, static_cast<Index>(i), {}, neighbors);
+    const bool near = std::find(neighbors.begin(), neighbors.end(), cloud.middle) != neighbors.end();
+    if (!near || neighbors.back() == cloud.middle || static_cast<Index>(i) == cloud.middle) {
+      ASSERT_TRUE(static_cast<Index>(i) == cloud.middle || with.normals[i] == without.normals[i]);
+      continue;
+    }
+    ++turned;
+    const Vector3 truth = cloud.grid.normal();
+    EXPECT_LT(test::lineAngle(with.normals[i], truth), test::lineAngle(without.normals[i], truth));
+    EXPECT_LT(test::lineAngle(strongly.normals[i], truth), test::lineAngle(with.normals[i], truth));
+  }
+  EXPECT_GE(turned, 8);
+  // A neighbour 10 away with a reach of about 22: a weight of 0.8, so that it keeps about 1 / 1.8 of its error.
+  const auto beside = static_cast<std::size_t>(cloud.middle + 1);
+  const double share = test::lineAngle(with.normals[beside], cloud.grid.normal()) / test::lineAngle(without.normals[beside], cloud.grid.normal());
+  EXPECT_GT(share, 0.4);
+  EXPECT_LT(share, 0.7);
+}
+
+TEST(TangentPlanes, AFaultStopsAMeasuredNormal) {
+  const test::ThrownFold fold;
+  TangentPlaneOptions options;
+  for (std::size_t i = 0; i < fold.left_count; ++i)
+    options.measured.push_back({static_cast<Index>(i), Vector3::UnitX()});
+  const TangentPlanes planes = planesOf(fold.points, options, fold.faults);
+  for (std::size_t i = 0; i < fold.points.size(); ++i)
+    ASSERT_LT(test::lineAngle(planes.normals[i], i < fold.left_count ? Vector3(Vector3::UnitX()) : fold.right.normal()), 1e-6);
+}
+
+TEST(TangentPlanes, MeasuredNormalsOfOnePlaceAreAveraged) {
+  Points points = test::wavySheet(500, 100.0, 0.1);
+  points.push_back(points[7]);
+  TangentPlaneOptions options;
+  options.measured = {{500, {0.1, 0.0, 1.0}}, {7, {0.1, 0.0, -1.0}}};
+  const TangentPlanes planes = planesOf(points, options), at = estimateTangentPlanesAt(NeighborGrid(points), {}, options, points);
+  EXPECT_THAT(planes.measured, testing::ElementsAre(7, 500));
+  EXPECT_LT(test::lineAngle(planes.normals[7], Vector3::UnitZ()), 1e-6);
+  EXPECT_EQ(planes.normals[7], planes.normals[500]);
+  EXPECT_EQ(planes.normals, at.normals);
+  EXPECT_EQ(planes.measured, at.measured);
+}
+
+TEST(TangentPlanes, AMeasuredNormalMakesAPlaneWhereTooFewPicksDo) {
+  TangentPlaneOptions options;
+  options.measured = {{0, Vector3::UnitZ()}};
+  const TangentPlanes lonely = planesOf({{1, 2, 3}}, options);
+  EXPECT_EQ(lonely.normals[0], Vector3(Vector3::UnitZ()));
+  EXPECT_EQ(lonely.centres[0], Vector3(1, 2, 3));
+  Points line;
+  for (int i = 0; i < 30; ++i)
+    line.emplace_back(3.0 * i, 0.0, 0.0);
+  const TangentPlanes along = planesOf(line, options);
+  EXPECT_LT(test::lineAngle(along.normals[1], Vector3::UnitZ()), 1e-6);
+  EXPECT_TRUE(along.normals[29].hasNaN());
+}
+
+TEST(TangentPlanes, WrongMeasuredNormalsAreRefused) {
+  const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  TangentPlaneOptions options;
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  for (const MeasuredNormal& wrong : {MeasuredNormal{3, Vector3::UnitZ()}, MeasuredNormal{-1, Vector3::UnitZ()}, MeasuredNormal{0, Vector3::Zero()},
+                                      MeasuredNormal{0, Vector3(0, nothing, 1)}}) {
+    options.measured = {wrong};
+    EXPECT_THROW(planesOf(points, options), InvalidInputError);
+  }
+  options.measured.clear();
+  options.measured_weight = -1.0;
+  EXPECT_THROW(planesOf(points, options), InvalidInputError);
+}
+
 TEST(TangentPlanes, OptionsOutOfRangeAreRefused) {
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   TangentPlaneOptions options;
