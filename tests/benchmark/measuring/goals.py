@@ -13,15 +13,20 @@ class Goals:
     def wall(self, tool, picks, case="horizon"):
         return self.session.median(case, picks, tool, "wall")
 
+    def cpu(self, tool, picks, case="horizon"):
+        return self.session.median(case, picks, tool, "cpu")
+
     def against(self, what, goal, peer, case, picks, met, form):
-        """graben's wall time over a peer's, or the other way round: form(graben, peer). A peer that ran out of time has a least time."""
-        graben, other, least = self.wall("graben", picks, case), self.wall(peer, picks, case), ""
+        """A ratio of graben's time and a peer's: form(graben, peer). A peer that ran out of time has a least time."""
+        graben, other, bounded = self.wall("graben", picks, case), self.wall(peer, picks, case), False
         if other is None and self.session.failure(case, picks, peer) == "timeout":
-            other, least = self.session.find(case, picks, peer)[-1]["wall"], "bound"
-        if graben is not None and other is not None:
-            value, text, bound = form(graben, other)
-            verdict = "met" if met(value) else "not known" if least else "**not met**"
-            self.rows.append((what, goal, (bound if least else "") + text % value, verdict))
+            other, bounded = self.session.find(case, picks, peer)[-1]["wall"], True
+        if graben is None or other is None:
+            return
+        value, text, bound = form(graben, other)
+        verdict = "met" if met(value) else "not known" if bounded else "**not met**"
+        cpu = "-" if bounded else text % form(self.cpu("graben", picks, case), self.cpu(peer, picks, case))[0]
+        self.rows.append((what, goal, (bound if bounded else "") + text % value, cpu, verdict))
 
     def share_of(self, what, limit, peer, case="horizon", picks=MILLION):
         self.against(what, "at most %g" % limit, peer, case, picks, lambda v: v <= limit, lambda graben, other: (graben / other, "%.2f", "under "))
@@ -29,13 +34,13 @@ class Goals:
     def times_faster(self, what, limit, peer, case="horizon", picks=MILLION):
         self.against(what, "at least %g" % limit, peer, case, picks, lambda v: v >= limit, lambda graben, other: (other / graben, "%.1f", "over "))
 
-    def add(self, what, goal, value, met, text="%.2f"):
+    def add(self, what, goal, value, met, text="%.2f", cpu="-"):
         """value None: not measured."""
         if value is not None:
-            self.rows.append((what, goal, text % value, "met" if met(value) else "**not met**"))
+            self.rows.append((what, goal, text % value, cpu, "met" if met(value) else "**not met**"))
 
-    def ratio(self, what, goal, above, below, met, text="%.2f"):
-        self.add(what, goal, above / below if above is not None and below else None, met, text)
+    def ratio(self, what, goal, above, below, met, text="%.2f", cpu="-"):
+        self.add(what, goal, above / below if above is not None and below else None, met, text, cpu)
 
     def at_most(self, what, limit, above, below):
         self.ratio(what, "at most %g" % limit, above, below, lambda v: v <= limit)
@@ -53,6 +58,9 @@ class Goals:
     def memory(self):
         for picks in self.session.sizes("horizon"):
             peak = self.session.median("horizon", picks, "graben", "peak")
+            failure = self.session.failure("horizon", picks, "graben")
+            if failure:
+                self.rows.append(("%s picks: runs to the end" % clouds.label(picks), "yes", failure, "-", "**not met**"))
             if picks < MILLION or peak is None:
                 continue
             each = self.session.median("horizon", picks, "graben", lambda run, n=picks: (run["peak"] - run["output"]) / n)
@@ -96,7 +104,9 @@ class Goals:
     def all(self):
         self.against_peers("horizon", "1 M picks")
         self.times_faster("4 M picks: PCL's normals and MarchingCubesHoppe / graben", 80, "pcl_hoppe", picks=4 * MILLION)
-        self.at_most("10 M picks / 1 M: time", 11, self.wall("graben", 10 * MILLION), self.wall("graben", MILLION))
+        small, large = self.cpu("graben", MILLION), self.cpu("graben", 10 * MILLION)
+        self.ratio("10 M picks / 1 M: time", "at most 11", self.wall("graben", 10 * MILLION), self.wall("graben", MILLION), lambda v: v <= 11,
+                   "%.1f", "%.1f" % (large / small) if small and large else "-")
         self.memory()
         self.threads()
         self.reading()

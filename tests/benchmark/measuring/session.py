@@ -5,6 +5,8 @@ import json
 import os
 import statistics
 
+from . import tools
+
 
 def fingerprint(path):
     with open(path, "rb") as file:
@@ -12,21 +14,32 @@ def fingerprint(path):
 
 
 class Session:
-    """Runs by case, picks and tool. A file of runs of another build of graben is begun anew."""
+    """Runs by case, picks and tool. What another build of graben took is left out; the runs of other programs stay."""
 
     def __init__(self, path, build, resume):
+        """build None: only to look at what is there."""
         self.path = path
         self.runs = []
-        if resume and os.path.exists(path):
-            with open(path, encoding="utf-8") as file:
-                lines = [json.loads(line) for line in file if line.endswith("\n")]
-            if lines and (build is None or lines[0].get("build") == build):
-                self.runs = lines[1:]
-                return
-        if build is None:
+        if os.path.exists(path):
+            if resume:
+                self.read(build)
+            else:
+                os.replace(path, path + ".old")
+        if build is None and not self.runs:
             raise SystemExit("There are no runs in " + path)
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(json.dumps({"build": build}) + "\n")
+        if build is not None:
+            self.write(build)
+
+    def read(self, build):
+        with open(self.path, encoding="utf-8") as file:
+            lines = [json.loads(line) for line in file if line.endswith("\n")]
+        same = build is None or (lines and lines[0]["build"] == build)
+        self.runs = [run for run in lines[1:] if same or run["tool"] in tools.PEERS]
+
+    def write(self, build):
+        with open(self.path + ".part", "w", encoding="utf-8") as file:
+            file.writelines(json.dumps(line) + "\n" for line in [{"build": build}] + self.runs)
+        os.replace(self.path + ".part", self.path)
 
     def add(self, run):
         self.runs.append(run)

@@ -45,7 +45,7 @@ def speed(session):
 
 def goal_table(session):
     rows = goals.Goals(session).all()
-    return [row(["goal", "to reach", "measured", ""]), "|---|---|---|---|"] + [row(r) for r in rows] if rows else []
+    return [row(["goal", "to reach", "measured", "by CPU time", ""]), "|---|---|---|---|---|"] + [row(r) for r in rows] if rows else []
 
 
 def cpu_name():
