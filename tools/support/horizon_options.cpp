@@ -33,7 +33,7 @@ void declareHorizonOptions(OptionParser& parser) {
 void declareParameterOptions(OptionParser& parser) {
   parser.section("Parameters, in the picks' units; estimated from the picks where not given")
     .value("voxel-size", "H", "edge of a marching-cubes cell")
-    .value("neighbors", "K", "picks a tangent plane is fitted to", "15")
+    .value("neighbors", "K", "picks a tangent plane is fitted to: 15, up to 60 where the noise is large")
     .value("rho", "R", "sampling density: holes wider than about twice this stay open")
     .value("delta", "D", "largest noise of the picks")
     .value("flip-angle", "DEG", "triangles turned farther than this from the planes around are left out; 180: none", "60")
@@ -67,7 +67,8 @@ HorizonInput readHorizonInput(const OptionValues& values) {
 ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositive z_positive) {
   ReconstructionOptions o;
   o.voxel_size = values.number("voxel-size", 0.0, kHuge);
-  o.neighbors = static_cast<std::size_t>(values.integer("neighbors", 3, 1000));
+  if (values.has("neighbors"))
+    o.neighbors = static_cast<std::size_t>(values.integer("neighbors", 3, 1000));
   o.rho = values.number("rho", 0.0, kHuge);
   o.delta = values.number("delta", 0.0, kHuge);
   o.flip_angle = values.number("flip-angle", 0.0, 180.0);

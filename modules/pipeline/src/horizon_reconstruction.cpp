@@ -18,7 +18,7 @@ void checkOptions(const ReconstructionOptions& o) {
   for (const double length : {o.voxel_size, o.rho, o.delta, o.zone_width, o.fault_reach})
     check(std::isfinite(length) && length >= 0.0,
           "voxel size, rho, delta, zone width and fault reach must be positive numbers, or 0 to have them estimated");
-  check(o.neighbors >= 3, "a tangent plane needs at least 3 neighbors");
+  check(o.neighbors == 0 || o.neighbors >= 3, "a tangent plane needs at least 3 neighbors");
   check(o.flip_angle >= 0.0 && o.flip_angle <= 180.0, "the flip angle must lie between 0 and 180 degrees");
   check(std::isfinite(o.z_scale) && o.z_scale > 0.0, "the z scale must be a positive number");
 }

@@ -12,9 +12,22 @@
 #include "graben/mesh/normals.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace graben {
+
+namespace {
+
+/// The slope of a plane through K picks errs by about noise / mean distance / K: more picks where the noise is large.
+std::size_t neighborsFor(double noise_per_distance) {
+  constexpr double fewest = 15.0;
+  constexpr double most = 60.0;
+  constexpr double per_noise = 40.0;
+  return static_cast<std::size_t>(std::lround(std::clamp(per_noise * noise_per_distance, fewest, most)));
+}
+
+} // namespace
 
 ReconstructionJob::ReconstructionJob(const ReconstructionOptions& options, ReconstructionResult& result)
   : options_(options), result_(result), clock_(result.report.stages, options.progress) {}
@@ -62,7 +75,7 @@ void ReconstructionJob::prepareParameters() {
   used.zone_width = options_.zone_width > 0.0 ? options_.zone_width : 5.0 * used.voxel_size;
   used.fault_reach = options_.fault_reach > 0.0 ? options_.fault_reach : std::max(6.0 * mean_distance_, 2.0 * rhoPlusDelta());
   used.flip_angle = options_.flip_angle;
-  used.neighbors = options_.neighbors;
+  used.neighbors = options_.neighbors > 0 ? options_.neighbors : neighborsFor(used.delta / mean_distance_);
   used.origin = result_.frame.origin;
   used.z_scale = options_.z_scale;
   used.fit = options_.fit == FitMode::Full ? "full" : options_.fit == FitMode::Normal ? "normal" : "off";
@@ -102,7 +115,7 @@ void ReconstructionJob::setWrongSidePicksAside() {
 
 void ReconstructionJob::estimateNormals() {
   TangentPlaneOptions o;
-  o.neighbors = options_.neighbors;
+  o.neighbors = result_.report.used.neighbors;
   o.rho_plus_delta = rhoPlusDelta();
   o.threads = options_.threads;
   planes_ = estimateTangentPlanes(grid_, faultsUnless(options_.skip.neighbors), o);

@@ -94,7 +94,7 @@ void ReconstructionJob::fit() {
     return;
   ZoneFitOptions zone;
   zone.mode = options_.fit;
-  zone.neighbors = options_.neighbors;
+  zone.neighbors = used.neighbors;
   zone.zone_width = used.zone_width;
   zone.search_radius = used.fault_reach + 2.0 * rhoPlusDelta();
   zone.max_step = used.voxel_size;
