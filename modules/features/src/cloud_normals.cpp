@@ -53,11 +53,11 @@ void orientAlongTree(const NeighborGrid& grid, const FaultNetwork& faults,
   orientation.rho_plus_delta = plane_options.rho_plus_delta;
   orientation.threads = plane_options.threads;
   if (places == nullptr) {
-    result.components = orientNormals(grid, faults, orientation, result.planes.normals).components;
+    orientNormals(grid, faults, orientation, result.planes.normals);
     return;
   }
   Points oriented = estimateTangentPlanes(grid, faults, plane_options).normals;
-  result.components = orientNormals(grid, faults, orientation, oriented).components;
+  orientNormals(grid, faults, orientation, oriented);
   followPicks(grid, faults, oriented, *places, plane_options.threads, result.planes.normals);
 }
 

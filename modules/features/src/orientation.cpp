@@ -5,6 +5,7 @@
 #include "neighbor_graph.h"
 #include "signed_union_find.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace graben {
@@ -42,6 +43,57 @@ void check(const NeighborGrid& grid, const OrientationOptions& options, const Po
       std::numeric_limits<Index>::max())
     throw InvalidInputError(stage, "The spanning tree has more edges than a 32-bit index counts; "
                                    "ask for fewer neighbours or orient by the up axis.");
+}
+
+/// True if turning every normal up gives what the spanning tree would; see orientNormals().
+bool upAxisDecides(const NeighborGrid& grid, const OrientationOptions& options, const Points& normals) {
+  constexpr double SURE = 0.70711;     // two normals that are closer to the axis than 45 degrees agree
+  constexpr double LEAST = CLOSED;     // the mean of such normals is not that of a closed object, and is up
+  constexpr std::size_t MOST = 100;    // one pick of so many may be in doubt; a tree is cheaper than to look around more
+  constexpr std::size_t GRAIN = 1 << 14;
+  const Vector3 up = options.up.normalized();
+  std::vector<std::vector<Index>> parts((grid.size() + GRAIN - 1) / GRAIN);
+  std::vector<char> wild(parts.size(), 0);
+  parallelBlocks(grid.size(), GRAIN, options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double rise = std::abs(normals[static_cast<std::size_t>(grid.order()[i])].dot(up));
+      if (rise < LEAST)
+        wild[begin / GRAIN] = 1;
+      else if (rise < SURE)
+        parts[begin / GRAIN].push_back(grid.order()[i]);
+    }
+  });
+  std::vector<Index> doubtful;
+  for (const std::vector<Index>& part : parts)
+    doubtful.insert(doubtful.end(), part.begin(), part.end());
+  if (std::find(wild.begin(), wild.end(), 1) != wild.end() || MOST * doubtful.size() > grid.size())
+    return false;
+  if (doubtful.empty() || !(options.rho_plus_delta > 0.0) || std::isinf(options.rho_plus_delta))
+    return doubtful.empty();
+  const auto upward = [&](Index pick) {
+    const Vector3& normal = normals[static_cast<std::size_t>(pick)];
+    return normal.dot(up) < 0.0 ? Vector3(-normal) : normal;
+  };
+  std::vector<char> against(doubtful.size(), 0);
+  parallelBlocks(doubtful.size(), 256, options.threads, [&](std::size_t begin, std::size_t end) {
+    PointsAround around;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vector3 normal = upward(doubtful[i]);
+      grid.collectWithin(grid.points()[static_cast<std::size_t>(doubtful[i])], options.rho_plus_delta, around);
+      for (std::size_t j = 0; j < around.count; ++j)
+        if (upward(around.index[j]).dot(normal) < 0.0)
+          against[i] = 1;
+    }
+  });
+  return std::find(against.begin(), against.end(), 1) == against.end();
+}
+
+void turnUp(const OrientationOptions& options, Points& normals) {
+  constexpr std::size_t GRAIN = 1 << 14;
+  parallelFor(normals.size(), GRAIN, options.threads, [&](std::size_t i) {
+    if (normals[i].dot(options.up) < 0.0)
+      normals[i] = -normals[i];
+  });
 }
 
 OrientationResult orientBySpanningTree(const NeighborGrid& grid, const FaultNetwork& faults,
@@ -94,15 +146,17 @@ OrientationResult orientBySpanningTree(const NeighborGrid& grid, const FaultNetw
 OrientationResult orientNormals(const NeighborGrid& grid, const FaultNetwork& faults,
                                 const OrientationOptions& options, Points& normals) {
   check(grid, options, normals);
-  if (options.method == OrientationMethod::SpanningTree)
-    return orientBySpanningTree(grid, faults, options, normals);
-  constexpr std::size_t GRAIN = 1 << 14;
-  parallelFor(normals.size(), GRAIN, options.threads, [&](std::size_t i) {
-    if (normals[i].dot(options.up) < 0.0)
-      normals[i] = -normals[i];
-  });
   OrientationResult result;
-  result.components = 1;
+  if (options.method == OrientationMethod::UpAxis) {
+    turnUp(options, normals);
+    result.components = 1;
+  } else if (!options.components && upAxisDecides(grid, options, normals)) {
+    turnUp(options, normals);
+  } else {
+    result = orientBySpanningTree(grid, faults, options, normals);
+    if (!options.components)
+      result = {};
+  }
   return result;
 }
 

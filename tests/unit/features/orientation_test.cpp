@@ -18,6 +18,12 @@ void scramble(Points& normals) {
       normal = -normal;
 }
 
+const OrientationOptions WITH_COMPONENTS = [] {
+  OrientationOptions options;
+  options.components = true;
+  return options;
+}();
+
 Points planesOf(const NeighborGrid& grid, const FaultNetwork& faults = {}, double step = 0.0) {
   TangentPlaneOptions options;
   options.rho_plus_delta = step;
@@ -31,7 +37,7 @@ TEST(Orientation, SphereOutward) {
   const Points points = test::sphere(4000, 100.0, centre);
   const NeighborGrid grid(points);
   Points normals = planesOf(grid);
-  const OrientationResult result = orientNormals(grid, {}, {}, normals);
+  const OrientationResult result = orientNormals(grid, {}, WITH_COMPONENTS, normals);
   EXPECT_EQ(result.components, 1U);
   for (std::size_t i = 0; i < points.size(); ++i)
     ASSERT_GT(normals[i].dot((points[i] - centre).normalized()), 0.99);
@@ -44,7 +50,7 @@ TEST(Orientation, HalfSphereUp) {
       points.end());
   const NeighborGrid grid(points);
   Points normals = planesOf(grid);
-  orientNormals(grid, {}, {}, normals);
+  orientNormals(grid, {}, WITH_COMPONENTS, normals);
   for (std::size_t i = 0; i < points.size(); ++i)
     ASSERT_LT(normals[i].dot(points[i].normalized()), -0.99) << "a bowl's normals are up, into it";
 }
@@ -55,7 +61,7 @@ TEST(Orientation, TwoSheetsEachUp) {
     points[i].z() += i % 2 == 0 ? 0.0 : 500.0;
   const NeighborGrid grid(points);
   Points normals = planesOf(grid);
-  const OrientationResult result = orientNormals(grid, {}, {}, normals);
+  const OrientationResult result = orientNormals(grid, {}, WITH_COMPONENTS, normals);
   EXPECT_EQ(result.components, 2U);
   for (std::size_t i = 0; i < points.size(); ++i) {
     ASSERT_GT(normals[i].z(), 0.5);
@@ -79,20 +85,20 @@ TEST(Orientation, AFaultSeparatesComponents) {
   const test::ThrownFold fold(5.0);
   const NeighborGrid grid(fold.points);
   Points normals = planesOf(grid, fold.faults);
-  const OrientationResult result = orientNormals(grid, fold.faults, {}, normals);
+  const OrientationResult result = orientNormals(grid, fold.faults, WITH_COMPONENTS, normals);
   EXPECT_EQ(result.components, 2U);
   for (std::size_t i = 0; i < fold.points.size(); ++i) {
     ASSERT_EQ(result.of_pick[i], result.of_pick[i < fold.left_count ? 0 : fold.left_count]);
     ASSERT_GT(normals[i].dot(fold.normalAt(i)), 0.999);
   }
   normals = planesOf(grid, fold.faults);
-  EXPECT_EQ(orientNormals(grid, {}, {}, normals).components, 1U);
+  EXPECT_EQ(orientNormals(grid, {}, WITH_COMPONENTS, normals).components, 1U);
 }
 
 TEST(Orientation, LongestEdgeSeparatesComponents) {
   const test::ThrownFold fold(30.0);
   const NeighborGrid grid(fold.points);
-  OrientationOptions options;
+  OrientationOptions options = WITH_COMPONENTS;
   options.rho_plus_delta = 12.0;
   Points normals = planesOf(grid, {}, 12.0);
   EXPECT_EQ(orientNormals(grid, {}, options, normals).components, 2U);
@@ -117,12 +123,63 @@ TEST(Orientation, UpAxisTurnsEachNormal) {
   EXPECT_EQ(normals[2], Vector3(-1, 0, 0));
 }
 
+/// Orients along the tree, and as it is done where nobody asks for components.
+void expectSameWithoutComponents(const Points& points, const Points& scrambled, const OrientationOptions& options, const FaultNetwork& faults = {}) {
+  const NeighborGrid grid(points);
+  Points tree = scrambled, quick = scrambled;
+  OrientationOptions with = options;
+  with.components = true;
+  orientNormals(grid, faults, with, tree);
+  const OrientationResult result = orientNormals(grid, faults, options, quick);
+  EXPECT_EQ(result.components, 0U);
+  EXPECT_TRUE(result.of_pick.empty());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ASSERT_TRUE(tree[i] == quick[i] || (tree[i].hasNaN() && quick[i].hasNaN())) << i;
+}
+
+TEST(Orientation, WithoutComponentsTheSameAsTheTree) {
+  OrientationOptions options;
+  options.rho_plus_delta = 40.0;
+  for (const double steepness : {0.0, 0.5, 2.0, 8.0}) { // from flat to slopes whose normals are almost level
+    Points points = test::wavySheet(4000, 1000.0, 1.0);
+    for (Vector3& p : points)
+      p.z() += steepness * 60.0 * std::sin(p.x() / 60.0);
+    points[9].setConstant(std::numeric_limits<double>::quiet_NaN());
+    expectSameWithoutComponents(points, planesOf(NeighborGrid(points), {}, 40.0), options);
+    options.up = Vector3(0.3, 0.0, -2.0);
+  }
+  options = {};
+  const test::ThrownFold fold(5.0);
+  expectSameWithoutComponents(fold.points, planesOf(NeighborGrid(fold.points), fold.faults), options, fold.faults);
+  expectSameWithoutComponents(test::sphere(3000, 100.0, Vector3::Zero()), planesOf(NeighborGrid(test::sphere(3000, 100.0, Vector3::Zero()))), options);
+}
+
+TEST(Orientation, TheTreeDecidesWhereANeighbourPointsToTheOtherSide) {
+  // A floor with a small roll in it, where normals lean over by 53, 106 and 53 degrees: turned up, that in the middle is against its neighbours.
+  Points points, normals;
+  for (int j = 0; j < 200; ++j)
+    for (int i = 0; i < 200; ++i) {
+      points.emplace_back(i, j, 0.0);
+      const double lean = j > 50 && j < 150 && std::abs(i - 100) < 2 ? (i == 100 ? 106.0 : 53.0) : 0.0;
+      normals.emplace_back(-std::sin(lean * 3.14159265358979323846 / 180.0), 0.0, std::cos(lean * 3.14159265358979323846 / 180.0));
+    }
+  const Points truth = normals;
+  scramble(normals);
+  OrientationOptions options;
+  options.rho_plus_delta = 1.5;
+  expectSameWithoutComponents(points, normals, options);
+  const NeighborGrid grid(points);
+  orientNormals(grid, {}, options, normals);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ASSERT_GT(normals[i].dot(truth[i]), 0.0);
+}
+
 TEST(Orientation, PicksWithoutNormalStayOut) {
   const Points points = test::wavySheet(1000, 1000.0, 1.0);
   const NeighborGrid grid(points);
   Points normals = planesOf(grid);
   normals[7].setConstant(std::numeric_limits<double>::quiet_NaN());
-  const OrientationResult result = orientNormals(grid, {}, {}, normals);
+  const OrientationResult result = orientNormals(grid, {}, WITH_COMPONENTS, normals);
   EXPECT_TRUE(normals[7].hasNaN());
   EXPECT_EQ(result.of_pick[7], -1);
   EXPECT_EQ(result.of_pick[8], 0);
@@ -142,7 +199,7 @@ TEST(Orientation, TheTreeGoesAroundASharpRidge) {
   const Points truth = normals;
   scramble(normals);
   const NeighborGrid grid(points);
-  EXPECT_EQ(orientNormals(grid, {}, {}, normals).components, 1U);
+  EXPECT_EQ(orientNormals(grid, {}, WITH_COMPONENTS, normals).components, 1U);
   for (std::size_t i = 0; i < points.size(); ++i)
     ASSERT_GT(normals[i].dot(truth[i]), 0.0);
 }
@@ -151,7 +208,7 @@ TEST(Orientation, TheSameForAnyNumberOfThreads) {
   const Points points = test::wavySheet(20000, 1000.0, 3.0);
   const NeighborGrid grid(points);
   Points one = planesOf(grid), four = one;
-  OrientationOptions options;
+  OrientationOptions options = WITH_COMPONENTS;
   options.threads = 1;
   const OrientationResult result_one = orientNormals(grid, {}, options, one);
   options.threads = 4;

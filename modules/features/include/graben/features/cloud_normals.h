@@ -28,7 +28,6 @@ struct CloudNormals {
   TangentPlanes planes;       ///< one for each place, oriented; NaN where there is none
   double rho = 0.0;           ///< in use
   double delta = 0.0;         ///< in use
-  std::size_t components = 0; ///< SpanningTree: components of the surface, else 0
 };
 
 /// Fault-constrained, oriented tangent planes at every point of the surface, or at \a places where

@@ -16,21 +16,27 @@ struct OrientationOptions {
                                  ///< that its normals agree with it on the whole
   std::size_t neighbors = 10;    ///< SpanningTree: graph edges go to this many nearest picks
   double rho_plus_delta = 0.0;   ///< SpanningTree: longest graph edge; 0: no limit
-  unsigned threads = 0;
+  bool components = false;       ///< SpanningTree: whether the components are wanted in the result, at the cost of the graph where the up axis
+                                 ///< alone decides
+  unsigned threads = 0;          ///< 0: one per processor
 };
 
 struct OrientationResult {
-  std::size_t components = 0; ///< connected components of the graph (1 for UpAxis)
-  std::vector<Index>
-      of_pick; ///< component of each pick, -1 where it has no normal; empty for UpAxis
+  std::size_t components = 0; ///< connected components of the graph (1 for UpAxis); 0 if they were not asked for
+  std::vector<Index> of_pick; ///< component of each pick, -1 where it has no normal; empty for UpAxis, and if not asked for
 };
 
 /// Orients normals consistently, in place; NaN normals stay as they are.
 ///
 /// SpanningTree: within a component normals agree along the tree; then each component is turned as
 /// a whole if the mean of its normals is against \a up. A component whose mean normal is shorter
-/// than 0.3 is taken to be a closed object and is turned outwards. The same result for any number
-/// of threads; O(n k log n), UpAxis O(n). \param[in,out] normals one for each of the grid's points
+/// than 0.3 is taken to be a closed object and is turned outwards.
+///
+/// Signs do not hang on the tree where, all normals turned up, no two that an edge could join point to different sides. That is so, and no
+/// graph is made, where each normal is within 45 degrees of up, or within 72 degrees and at less than 90 to those of all picks within
+/// rho + delta: on any horizon but one with overturned folds or wild normals.
+///
+/// The same result for any number of threads; O(n k log n), where the up axis decides O(n). \param[in,out] normals one for each of the grid's points
 /// \throw InvalidInputError if the number of normals or an option is out of range
 OrientationResult orientNormals(const NeighborGrid& grid, const FaultNetwork& faults,
                                 const OrientationOptions& options, Points& normals);
