@@ -16,6 +16,7 @@ OptionParser parser() {
   p.section("Output")
     .value("output", "SURFACE", "the whole faulted horizon; .ply .vtk .vtp .obj .stl or .ts")
     .value("results", "DIR", "folder for all that goes with it: pieces, picks, cut faults, report, pictures")
+    .flag("gocad-properties", "write piece, pick_distance and extrapolated into --output .ts too (PVRTX lines, which some readers refuse)")
     .value("report", "FILE.json", "the report alone")
     .flag("quiet", "say nothing but errors");
   p.epilog("Example:\n  graben_reconstruct --horizon top.poi --fault F1.pol F2.pol --output top.ply --results results/\n");
@@ -30,9 +31,16 @@ void say(const ReconstructionResult& result) {
     std::printf("set aside  %zu picks on the wrong side of a fault, %zu smeared along one\n", r.wrong_side_picks, r.smeared_picks);
   std::printf("surface    %zu triangles in %zu pieces, voxel size %.4g\n", r.topology.triangles, r.topology.components, r.used.voxel_size);
   std::printf("picks      RMS distance %.4g, 95 %% within %.4g\n", r.all_picks.rms, r.all_picks.p95);
-  for (const FaultReport& f : r.faults)
-    std::printf("fault      %s: %zu vertices on it%s%s\n", f.name.c_str(), f.cut_vertices, f.branches_off.empty() ? "" : ", branches off ",
+  if (r.extrapolation.vertices > 0)
+    std::printf("beyond     %.2f %% of the area lies farther than %.4g from the picks, up to %.4g\n", 100.0 * r.extrapolation.area_share,
+                r.extrapolation.limit, r.extrapolation.farthest);
+  for (const FaultReport& f : r.faults) {
+    std::printf("fault      %s: %zu vertices on it%s%s", f.name.c_str(), f.cut_vertices, f.branches_off.empty() ? "" : ", branches off ",
                 f.branches_off.c_str());
+    if (f.throw_.samples > 0)
+      std::printf(", throw %.3g to %.3g, mean %.3g", f.throw_.min, f.throw_.max, f.throw_.mean);
+    std::printf("\n");
+  }
   if (!r.faults.empty())
     std::printf("at faults  E %.4g before the fit, %.4g after; %zu bridging triangles; %.1f %% of border vertices on the faults\n",
                 r.zone_before_fit.mean_square, r.zone_after_fit.mean_square, r.bridging_triangles, 100.0 * r.seal.all.share);

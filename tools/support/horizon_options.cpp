@@ -38,7 +38,8 @@ void declareParameterOptions(OptionParser& parser) {
     .value("delta", "D", "largest noise of the picks")
     .value("flip-angle", "DEG", "triangles turned farther than this from the planes around are left out; 180: none", "60")
     .value("zone-width", "W", "the zone fitted to the faults reaches this far from them")
-    .value("fault-reach", "D", "farthest the surface is carried on from the last picks to a fault")
+    .value("fault-reach", "D", "farthest the surface is carried on from the last picks to a fault; each vertex is written with its distance to the "
+                               "nearest pick and whether that is beyond the data (default: six pick distances, more where picks are uneven)")
     .value("fit", "MODE", "fit near the faults: full, normal (along the normal only) or off", "full")
     .value("signed-distance", "MODE", "smooth (averaged over picks of the same side) or nearest (Hoppe's nearest plane)", "smooth")
     .value("orientation", "MODE", "of the normals: mst (spanning tree) or up", "mst")

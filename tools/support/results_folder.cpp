@@ -1,10 +1,10 @@
 #include "support/results_folder.h"
 
-#include "graben/analysis/cutoff_lines.h"
 #include "graben/core/errors.h"
 #include "graben/io/atomic_file.h"
 #include "graben/io/mesh_writer.h"
 #include "graben/io/pick_writer.h"
+#include "graben/io/table_writer.h"
 #include "graben/mesh/components.h"
 #include "graben/visualization/render.h"
 
@@ -32,7 +32,17 @@ std::string fileName(std::string name) {
   return name.empty() ? "fault" : name;
 }
 
+void writeText(const fs::path& file, const std::string& text) {
+  AtomicFile out(file.string());
+  out.write(text);
+  out.commit();
+}
+
 std::string pieceFile(std::size_t number) { return "piece_" + std::to_string(number) + ".ts"; }
+
+std::string faultFile(const char* what, std::size_t fault, const ReconstructionResult& result) {
+  return std::string(what) + "_" + std::to_string(fault + 1) + "_" + fileName(result.faults[fault].name);
+}
 
 /// Removes the numbered files of a former run, as there may be more of them than this run writes.
 void removeFormerRun(const fs::path& dir) {
@@ -41,8 +51,9 @@ void removeFormerRun(const fs::path& dir) {
   std::vector<fs::path> former;
   for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
     const std::string name = entry.path().filename().string();
-    for (const char* prefix : {"piece_", "fault_", "cutoffs_"})
-      if (name.rfind(prefix, 0) == 0 && (entry.path().extension() == ".ts" || entry.path().extension() == ".pol"))
+    const std::string extension = entry.path().extension().string();
+    for (const char* prefix : {"piece_", "fault_", "cutoffs_", "throw_"})
+      if (name.rfind(prefix, 0) == 0 && (extension == ".ts" || extension == ".pol" || extension == ".csv"))
         former.push_back(entry.path());
   }
   std::error_code error;
@@ -60,20 +71,42 @@ void writePieces(const fs::path& dir, const ReconstructionResult& result) {
 }
 
 void writeFaults(const fs::path& dir, const ReconstructionResult& result) {
-  for (std::size_t f = 0; f < result.faults.size(); ++f) {
-    const std::string name = "fault_" + std::to_string(f + 1) + "_" + fileName(result.faults[f].name);
-    writeMesh((dir / (name + ".ts")).string(), result.faults[f].mesh, meshOptions(result, result.faults[f].name));
-  }
+  for (std::size_t f = 0; f < result.faults.size(); ++f)
+    writeMesh((dir / (faultFile("fault", f, result) + ".ts")).string(), result.faults[f].mesh, meshOptions(result, result.faults[f].name));
 }
 
 /// Where the pieces meet the faults, one polyline for each run of border, a file per fault.
 void writeCutoffs(const fs::path& dir, const ReconstructionResult& result) {
   std::map<Index, std::vector<FaultStick>> lines;
-  for (CutoffLine& line : cutoffLines(result.mesh, result.vertex_faults))
-    lines[line.fault].push_back({std::move(line.points)});
-  for (const auto& [fault, polylines] : lines) {
-    const std::string name = fileName(result.faults[static_cast<std::size_t>(fault)].name);
-    writePol((dir / ("cutoffs_" + std::to_string(fault + 1) + "_" + name + ".pol")).string(), polylines);
+  for (const CutoffLine& line : result.cutoffs)
+    lines[line.fault].push_back({line.points});
+  for (const auto& [fault, polylines] : lines)
+    writePol((dir / (faultFile("cutoffs", static_cast<std::size_t>(fault), result) + ".pol")).string(), polylines);
+}
+
+/// A row for each place where throw, heave and dip slip are read off.
+void writeThrows(const fs::path& dir, const ReconstructionResult& result) {
+  for (std::size_t f = 0; f < result.throws.size(); ++f) {
+    if (result.throws[f].empty())
+      continue;
+    const std::vector<ThrowSample>& samples = result.throws[f];
+    const auto column = [&](const char* name, auto value) {
+      std::vector<double> values;
+      for (const ThrowSample& s : samples)
+        values.push_back(value(s));
+      return TableColumn{name, std::move(values)};
+    };
+    writeTable((dir / (faultFile("throw", f, result) + ".csv")).string(),
+               {column("x", [](const ThrowSample& s) { return s.footwall.x(); }),
+                column("y", [](const ThrowSample& s) { return s.footwall.y(); }),
+                column("z", [](const ThrowSample& s) { return s.footwall.z(); }),
+                column("hanging_wall_x", [](const ThrowSample& s) { return s.hanging_wall.x(); }),
+                column("hanging_wall_y", [](const ThrowSample& s) { return s.hanging_wall.y(); }),
+                column("hanging_wall_z", [](const ThrowSample& s) { return s.hanging_wall.z(); }),
+                column("along", [](const ThrowSample& s) { return s.along; }),
+                column("throw", [](const ThrowSample& s) { return s.throw_; }),
+                column("heave", [](const ThrowSample& s) { return s.heave; }),
+                column("dip_slip", [](const ThrowSample& s) { return s.dip_slip; })});
   }
 }
 
@@ -108,10 +141,10 @@ std::vector<std::string> drawPictures(const fs::path& dir, const ReconstructionR
   return {};
 }
 
-void writeText(const fs::path& file, const std::string& text) {
-  AtomicFile out(file.string());
-  out.write(text);
-  out.commit();
+std::vector<std::string> writeSurface(const OptionValues& values, const ReconstructionResult& result) {
+  MeshWriteOptions o = meshOptions(result, fs::path(values.text("output")).stem().string());
+  o.gocad_properties = values.has("gocad-properties");
+  return writeMesh(values.text("output"), result.mesh, o);
 }
 
 void checkFile(const fs::path& path) {
@@ -148,7 +181,7 @@ void checkOutputs(const OptionValues& values) {
 std::vector<std::string> writeOutputs(const OptionValues& values, const ReconstructionResult& result) {
   std::vector<std::string> notes;
   if (values.has("output"))
-    notes = writeMesh(values.text("output"), result.mesh, meshOptions(result, fs::path(values.text("output")).stem().string()));
+    notes = writeSurface(values, result);
   if (values.has("report"))
     writeText(values.text("report"), toJson(result.report));
   if (!values.has("results"))
@@ -166,6 +199,7 @@ std::vector<std::string> writeOutputs(const OptionValues& values, const Reconstr
   writePieces(dir, result);
   writeFaults(dir, result);
   writeCutoffs(dir, result);
+  writeThrows(dir, result);
   writePicks(dir, result);
   writeText(dir / "report.json", toJson(result.report));
   const std::vector<std::string> pictures = drawPictures(dir, result);

@@ -3,6 +3,8 @@
 #include "graben/core/errors.h"
 #include "graben/mesh/adjacency.h"
 
+#include <Eigen/Geometry>
+
 #include <map>
 
 namespace graben {
@@ -15,10 +17,22 @@ bool lieOn(const std::array<Index, 2>& a, const std::array<Index, 2>& b, Index f
   return (a[0] == fault || a[1] == fault) && (b[0] == fault || b[1] == fault);
 }
 
-/// Border edges on each fault; at a vertex where two borders touch the later edge is left to a line of its own.
-std::map<Index, BorderEdges> edgesByFault(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults) {
+/// The side of a fault that triangle \a t lies on next to its edge \a e on the fault.
+int sideOf(const TriangleMesh& mesh, std::size_t t, std::size_t e, Index fault, const FaultNetwork& faults) {
+  const auto corner = [&](std::size_t i) { return mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][i % 3])]; };
+  const Vector3 edge = corner(e + 1) - corner(e);
+  const Vector3 inward = edge.cross(corner(e + 2) - corner(e)).cross(edge);
+  const FaultPoint foot = faults.nearest(static_cast<std::size_t>(fault), corner(e) + 0.5 * edge);
+  return inward.dot(foot.normal) < 0.0 ? -1 : 1;
+}
+
+using FaultSide = std::pair<Index, int>;
+
+/// Border edges on each side of each fault; at a vertex where two borders touch the later edge is left to a line of its own.
+std::map<FaultSide, BorderEdges> edgesByFault(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults,
+                                              const FaultNetwork* faults) {
   const EdgeAdjacency adjacency(mesh);
-  std::map<Index, BorderEdges> edges;
+  std::map<FaultSide, BorderEdges> edges;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t e = 0; e < 3; ++e) {
       if (!adjacency.isBorder(static_cast<Index>(3 * t + e)))
@@ -28,14 +42,15 @@ std::map<Index, BorderEdges> edgesByFault(const TriangleMesh& mesh, const std::v
       const auto& on_a = vertex_faults[static_cast<std::size_t>(a)];
       for (const Index fault : on_a)
         if (fault >= 0 && lieOn(on_a, vertex_faults[static_cast<std::size_t>(b)], fault))
-          edges[fault].emplace(a, std::make_pair(b, false));
+          edges[{fault, faults == nullptr ? 0 : sideOf(mesh, t, e, fault, *faults)}].emplace(a, std::make_pair(b, false));
     }
   return edges;
 }
 
-CutoffLine follow(const TriangleMesh& mesh, Index fault, BorderEdges& edges, Index start) {
+CutoffLine follow(const TriangleMesh& mesh, FaultSide where, BorderEdges& edges, Index start) {
   CutoffLine line;
-  line.fault = fault;
+  line.fault = where.first;
+  line.side = where.second;
   line.piece = mesh.piece.empty() ? -1 : mesh.piece[static_cast<std::size_t>(start)];
   line.points.push_back(mesh.vertices[static_cast<std::size_t>(start)]);
   for (auto edge = edges.find(start); edge != edges.end() && !edge->second.second; edge = edges.find(edge->second.first)) {
@@ -47,20 +62,20 @@ CutoffLine follow(const TriangleMesh& mesh, Index fault, BorderEdges& edges, Ind
 
 } // namespace
 
-std::vector<CutoffLine> cutoffLines(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults) {
+std::vector<CutoffLine> cutoffLines(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults, const FaultNetwork* faults) {
   if (vertex_faults.size() != mesh.vertices.size())
     throw InvalidInputError("cutoff lines", "there must be one entry of faults per vertex");
   std::vector<CutoffLine> lines;
-  for (auto& [fault, edges] : edgesByFault(mesh, vertex_faults)) {
+  for (auto& [where, edges] : edgesByFault(mesh, vertex_faults, faults)) {
     std::map<Index, bool> has_predecessor;
     for (const auto& edge : edges)
       has_predecessor[edge.second.first] = true;
     for (const auto& edge : edges)
       if (has_predecessor.count(edge.first) == 0)
-        lines.push_back(follow(mesh, fault, edges, edge.first));
+        lines.push_back(follow(mesh, where, edges, edge.first));
     for (const auto& edge : edges) // what is left are closed lines
       if (!edge.second.second)
-        lines.push_back(follow(mesh, fault, edges, edge.first));
+        lines.push_back(follow(mesh, where, edges, edge.first));
   }
   return lines;
 }

@@ -1,6 +1,7 @@
 #include "reconstruction_job.h"
 
 #include "evaluation.h"
+#include "extrapolation.h"
 #include "fault_preparation.h"
 
 #include "graben/analysis/approximation_error.h"
@@ -129,6 +130,23 @@ void ReconstructionJob::orient() {
   orientNormals(grid_, faultsUnless(options_.skip.neighbors), o, planes_.normals);
 }
 
+void ReconstructionJob::readThrowsOff() {
+  const LocalFrame& frame = result_.frame;
+  result_.cutoffs = cutoffLines(cut_.mesh, cut_.vertex_faults, &faults_);
+  result_.throws = readThrows(result_.cutoffs, faults_);
+  for (CutoffLine& line : result_.cutoffs)
+    for (Vector3& p : line.points)
+      p = frame.toUser(p);
+  for (std::size_t f = 0; f < faults_.size(); ++f) {
+    for (ThrowSample& sample : result_.throws[f]) {
+      sample.footwall = frame.toUser(sample.footwall);
+      sample.hanging_wall = frame.toUser(sample.hanging_wall);
+      sample.throw_ /= frame.z_scale;
+    }
+    result_.report.faults[f].throw_ = summarize(result_.throws[f]);
+  }
+}
+
 void ReconstructionJob::handOutPicks() {
   parallelFor(points_.size(), 1 << 14, options_.threads, [&](std::size_t i) {
     points_[i] = result_.frame.toUser(points_[i]);
@@ -145,6 +163,10 @@ void ReconstructionJob::finish() {
   if (options_.keep_picks)
     result_.pick_normals = std::move(planes_.normals);
   planes_ = TangentPlanes();
+  ExtrapolationOptions extrapolation;
+  extrapolation.limit = rhoPlusDelta();
+  extrapolation.threads = options_.threads;
+  result_.report.extrapolation = markExtrapolation(cut_, grid_, faults_, extrapolation);
   grid_ = NeighborGrid();
   for (const auto& [pick, place] : aside_)
     points_[static_cast<std::size_t>(pick)] = place;
@@ -152,6 +174,7 @@ void ReconstructionJob::finish() {
   if (options_.keep_picks)
     handOutPicks();
   points_ = Points();
+  readThrowsOff();
   for (std::size_t f = 0; f < faults_.size(); ++f)
     result_.faults.push_back(toUserFrame(faults_.fault(f), result_.frame));
   result_.mesh = toUserFrame(std::move(cut_.mesh), result_.frame);

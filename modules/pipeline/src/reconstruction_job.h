@@ -30,6 +30,7 @@ private:
   void estimateNormals();
   void orient();
   void finish();
+  void readThrowsOff();
   void handOutPicks();
 
   // From planes to the surface (surface_stages.cpp)

@@ -12,6 +12,8 @@ using Json = nlohmann::ordered_json;
 
 Json json(const Sampling& s) { return {{"spacing", s.spacing}, {"rho", s.rho}, {"delta", s.delta}, {"sigma", s.sigma}}; }
 
+Json json(const Vector3& p) { return Json::array({p.x(), p.y(), p.z()}); }
+
 Json json(const UsedParameters& u) {
   return {{"voxel_size", u.voxel_size},
           {"rho", u.rho},
@@ -20,12 +22,28 @@ Json json(const UsedParameters& u) {
           {"fault_reach", u.fault_reach},
           {"flip_angle", u.flip_angle},
           {"neighbors", u.neighbors},
-          {"origin", {u.origin.x(), u.origin.y(), u.origin.z()}},
+          {"origin", json(u.origin)},
           {"z_scale", u.z_scale},
           {"fit", u.fit},
           {"orientation", u.orientation},
           {"z_positive", u.z_positive},
           {"skipped", u.skipped}};
+}
+
+Json json(const ThrowSummary& t) {
+  Json j = {{"samples", t.samples}, {"min", t.min}, {"mean", t.mean}, {"max", t.max}};
+  if (t.samples > 0) {
+    j["min_at"] = json(t.min_at);
+    j["max_at"] = json(t.max_at);
+  }
+  j["mean_heave"] = t.mean_heave;
+  j["mean_dip_slip"] = t.mean_dip_slip;
+  j["length"] = t.length;
+  return j;
+}
+
+Json json(const Extrapolation& e) {
+  return {{"beyond", e.limit}, {"vertices", e.vertices}, {"area_share", e.area_share}, {"farthest", e.farthest}};
 }
 
 Json json(const FaultReport& f, const FaultSeal* seal) {
@@ -34,6 +52,7 @@ Json json(const FaultReport& f, const FaultSeal* seal) {
     j["branches_off"] = f.branches_off;
     j["branch_gap"] = f.branch_gap;
   }
+  j["throw"] = json(f.throw_);
   if (seal != nullptr)
     j["seal"] = toJson<Json>(*seal);
   return j;
@@ -61,6 +80,7 @@ std::string toJson(const ReconstructionReport& r, bool with_timings) {
   j["quality"] = toJson<Json>(r.quality);
   j["seal"] = toJson<Json>(r.seal.all);
   j["bridging_triangles"] = r.bridging_triangles;
+  j["extrapolation"] = json(r.extrapolation);
   j["warnings"] = r.warnings;
   if (with_timings) {
     j["stages"] = Json::array();

@@ -70,7 +70,7 @@ TEST_F(ReconstructResults, WithoutADisplaySaysSoAndWritesTheRest) {
   EXPECT_THAT(outcome.errors, HasSubstr("note: No pictures: "));
   EXPECT_EQ(names("r"),
             (std::set<std::string>{"cutoffs_1_fault_1.pol", "fault_1_fault_1.ts", "picks.pcd", "piece_1.ts", "piece_2.ts",
-                                   "report.json", "surface.ply", "surface.vtk"}));
+                                   "report.json", "surface.ply", "surface.vtk", "throw_1_fault_1.csv"}));
 }
 
 TEST_F(ReconstructResults, PicksOpenInPclWithNormalsAndPiece) {

@@ -45,9 +45,14 @@ struct ReconstructionOptions {
 
 /// What a reconstruction gives, in the user's frame; what is said of picks is in the order they were given in.
 struct ReconstructionResult {
-  TriangleMesh mesh;                    ///< the whole horizon: vertex normals (up), piece labels, vertices doubled along the cuts
+  /// The whole horizon: vertex normals (up), piece labels, vertices doubled along the cuts. Scalars of each vertex: pick_distance, to the nearest pick
+  /// that no fault hides from it, in x, y units with z scaled; extrapolated, 1 where that is more than rho + delta and 0 elsewhere.
+  TriangleMesh mesh;
   std::vector<std::array<Index, 2>> vertex_faults; ///< faults each mesh vertex lies on, see CutMesh
   std::vector<FaultSurface> faults;     ///< faults as used: lofted, extended, with upward normals
+  std::vector<CutoffLine> cutoffs;      ///< where the pieces meet the faults
+  std::vector<std::vector<ThrowSample>> throws; ///< for each fault what is read off its cutoff lines: throws in z units, positive where the
+                                                ///< hanging wall is down, whichever way z grows; heave and dip slip in x, y units
   Points picks;                         ///< the picks, to a few units in the last place; this and the next three are empty without keep_picks
   Points pick_normals;                  ///< oriented normal of each pick; NaN where there is none
   std::vector<Index> pick_piece;        ///< piece nearest to each pick, -1 where none is in reach

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/analysis/approximation_error.h"
+#include "graben/analysis/fault_throw.h"
 #include "graben/analysis/seal.h"
 #include "graben/analysis/topology.h"
 #include "graben/analysis/triangle_quality.h"
@@ -41,6 +42,15 @@ struct FaultReport {
   std::size_t cut_vertices = 0;   ///< mesh vertices on the fault; 0: the fault does not touch the horizon
   std::string branches_off;       ///< name of the fault it ends at, or empty
   double branch_gap = 0.0;        ///< largest distance it was extended over to reach that fault
+  ThrowSummary throw_;            ///< throws in the picks' z units, lengths in x, y units
+};
+
+/// How much of the surface lies beyond the data: farther than rho + delta from the nearest pick of its own side.
+struct Extrapolation {
+  double limit = 0.0;         ///< rho + delta, in x, y units
+  std::size_t vertices = 0;
+  double area_share = 0.0;    ///< of the surface's area
+  double farthest = 0.0;      ///< largest distance of a vertex to the nearest pick of its own side
 };
 
 /// What a reconstruction says of itself.
@@ -63,6 +73,7 @@ struct ReconstructionReport {
   TopologyReport topology;
   TriangleQuality quality;
   SealReport seal;
+  Extrapolation extrapolation;
   std::size_t bridging_triangles = 0;
   std::vector<StageTiming> stages;
   std::vector<std::string> warnings;     ///< sentences for the user

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "graben/analysis/cutoff_lines.h"
+
+namespace graben {
+
+/// What a fault does to a horizon at one place: read off its two cutoff lines in the vertical plane across the fault's strike.
+///
+/// For a normal fault, whose hanging wall is down, throw and heave are positive; for a reverse fault both are negative: the hanging wall is up, and
+/// the sheets overlap in the map. Where a fault is vertical the side its normals point to counts as the hanging wall.
+struct ThrowSample {
+  Vector3 footwall;     ///< a point of the footwall's cutoff line
+  Vector3 hanging_wall; ///< the hanging wall's cutoff straight across the fault
+  double along = 0.0;   ///< distance along the footwall's cutoff line
+  double throw_ = 0.0;  ///< vertical separation
+  double heave = 0.0;   ///< horizontal separation across strike
+  double dip_slip = 0.0; ///< separation along the fault's dip, with the sign of the throw
+};
+
+/// Reads the throw off the cutoff lines, at each point of the footwall's that has a counterpart.
+///
+/// At a tip, where the two lines meet, it is 0. A point has no counterpart where the other side ends first, or where the way to it leaves the fault.
+/// \param[in] lines  cutoff lines with their sides, in a frame with z up
+/// \param[in] faults in the same frame
+/// \return for each fault its samples, along its strike: the footwall to the left, seen from above
+/// O(n log n); deterministic. \throw InvalidInputError if a line has no side or names a fault that does not exist
+std::vector<std::vector<ThrowSample>> readThrows(const std::vector<CutoffLine>& lines, const FaultNetwork& faults);
+
+/// The throw of a fault in short; everything is 0 where there are no samples.
+struct ThrowSummary {
+  std::size_t samples = 0;
+  double min = 0.0;  ///< of least size, with its sign
+  double mean = 0.0; ///< along the cutoff line
+  double max = 0.0;  ///< of greatest size, with its sign
+  Vector3 min_at = Vector3::Zero(); ///< on the footwall's cutoff line
+  Vector3 max_at = Vector3::Zero();
+  double mean_heave = 0.0;
+  double mean_dip_slip = 0.0;
+  double length = 0.0; ///< of the footwall's cutoff line where it has a counterpart
+};
+
+ThrowSummary summarize(const std::vector<ThrowSample>& samples);
+
+} // namespace graben
