@@ -143,11 +143,20 @@ std::array<std::uint64_t, 12> FaultedCells::crossings(const LatticeIndex& cell) 
   return crossed;
 }
 
+/// Only for cells all of whose edges have been looked at.
+const FaultedCells::Division& FaultedCells::divisionOf(const LatticeIndex& cell) const {
+  const auto [entry, added] = division_.try_emplace(latticeKey(cell));
+  if (added) {
+    entry->second.crossed = crossings(cell);
+    entry->second.groups = cornerGroups(entry->second.crossed);
+  }
+  return entry->second;
+}
+
 /// True if what lies between the two sides ends in a cell around the vertex: some edge there is crossed and yet its ends are joined round the end.
 bool FaultedCells::nearTip(const LatticeIndex& vertex, std::uint64_t signature) const {
   for (const LatticeIndex& corner : cube::kCorner) {
-    const auto crossed = crossings(vertex - corner);
-    const auto groups = cornerGroups(crossed);
+    const auto& [crossed, groups] = divisionOf(vertex - corner);
     for (std::size_t e = 0; e < 12; ++e)
       if (crossed[e] == signature &&
           groups[static_cast<std::size_t>(cube::kEdge[e][0])] == groups[static_cast<std::size_t>(cube::kEdge[e][1])])
@@ -187,8 +196,7 @@ LatticeIndex FaultedCells::seedOf(const LatticeIndex& ghost, const LatticeIndex&
   bool several_faults = false;
   for (std::size_t c = 0; c < 8; ++c) {
     const LatticeIndex cell = ghost - cube::kCorner[c];
-    const auto crossed = crossings(cell);
-    const auto groups = cornerGroups(crossed);
+    const auto& [crossed, groups] = divisionOf(cell);
     for (const std::uint64_t signature : crossed) {
       several_faults = several_faults || (signature != 0 && only != 0 && signature != only);
       only = signature != 0 ? signature : only;

@@ -44,8 +44,15 @@ private:
     std::size_t operator()(const GhostKey& k) const { return k.vertex * 0x9e3779b97f4a7c15ULL ^ k.seed; }
   };
 
+  /// What crosses a cell's edges, and the groups that its corners fall into.
+  struct Division {
+    std::array<std::uint64_t, 12> crossed{};
+    std::array<int, 8> groups{};
+  };
+
   void fillCrossings(std::vector<EdgeKey>& keys);
   std::array<std::uint64_t, 12> crossings(const LatticeIndex& cell) const;
+  const Division& divisionOf(const LatticeIndex& cell) const;
   bool nearTip(const LatticeIndex& vertex, std::uint64_t signature) const;
   LatticeIndex seedOf(const LatticeIndex& ghost, const LatticeIndex& own) const;
   Index ghostOf(const LatticeIndex& vertex, const LatticeIndex& own);
@@ -55,6 +62,7 @@ private:
   unsigned threads_;
   std::vector<GhostVertex> ghosts_;
   std::unordered_map<EdgeKey, std::uint64_t> crossing_; ///< lattice edge -> signature of what crosses it
+  mutable std::unordered_map<std::uint64_t, Division> division_; ///< of cells asked about
   std::unordered_map<GhostKey, Index, GhostHash> ghost_;
 };
 

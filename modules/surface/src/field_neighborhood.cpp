@@ -10,34 +10,38 @@ constexpr std::size_t kMost = 1000; // picks to look through; a query of the gri
 
 } // namespace
 
-void NearbyPicks::gather(const NeighborGrid& grid, const TangentPlanes& planes, LocalFaults faults, const Vector3& centre, double radius,
-                         std::vector<Neighbor>& buffer) {
+void NearbyPicks::gather(const FieldData& data, const Vector3& centre, double radius, const Bounds& viewpoints) {
   radius_ = radius;
-  faults_ = std::move(faults);
   chosen_.clear();
   // Picks lie on a sheet, with about 3 to a cell of the grid.
-  const double across = 2.0 * radius / grid.cellSize();
+  const double across = 2.0 * radius / data.grid.cellSize();
   state_ = across * across > kMost ? State::TooMany : State::Gathered;
   if (state_ == State::TooMany)
     return;
-  grid.within(centre, radius, buffer);
+  data.grid.within(centre, radius, found_);
+  if (found_.size() > 2 * kMost) {
+    state_ = State::TooMany;
+    return;
+  }
   for (std::vector<double>* values : {&x_, &y_, &z_})
     values->clear();
   index_.clear();
-  sides_.clear();
-  for (const Neighbor& c : buffer) {
+  Bounds box = viewpoints;
+  for (const Neighbor& c : found_) {
     const auto i = static_cast<std::size_t>(c.index);
-    if (planes.normals[i].x() != planes.normals[i].x())
+    if (data.planes.normals[i].x() != data.planes.normals[i].x())
       continue;
-    const Vector3& p = grid.points()[i];
+    const Vector3& p = data.grid.points()[i];
+    box.extend(p);
     x_.push_back(p.x());
     y_.push_back(p.y());
     z_.push_back(p.z());
     index_.push_back(c.index);
-    sides_.push_back(faults_.sides(p));
   }
-  if (index_.size() > 2 * kMost)
-    state_ = State::TooMany;
+  faults_ = LocalFaults(data.faults, data.borders, box);
+  sides_.assign(index_.size(), 0);
+  for (std::size_t i = 0; i < index_.size() && !faults_.empty(); ++i)
+    sides_[i] = faults_.sides(Vector3(x_[i], y_[i], z_[i]));
   squared_.resize(index_.size());
   within_.resize(index_.size());
 }

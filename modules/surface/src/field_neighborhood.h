@@ -6,6 +6,14 @@
 
 namespace graben {
 
+/// What the field is made from.
+struct FieldData {
+  const NeighborGrid& grid;
+  const TangentPlanes& planes;
+  const FaultNetwork& faults;
+  const FaultBorders& borders;
+};
+
 /// The picks with a plane in a ball, for many nearest-neighbour questions about places in it.
 class NearbyPicks {
 public:
@@ -16,9 +24,8 @@ public:
   double radius() const { return radius_; }
   const LocalFaults& faults() const { return faults_; }
 
-  /// \param[in] faults in a box that holds the ball
-  void gather(const NeighborGrid& grid, const TangentPlanes& planes, LocalFaults faults, const Vector3& centre, double radius,
-              std::vector<Neighbor>& buffer);
+  /// \param[in] viewpoints where places may be looked at from
+  void gather(const FieldData& data, const Vector3& centre, double radius, const Bounds& viewpoints);
 
   /// The nearest picks to v that no fault hides from the viewpoint, at most \a wanted, within \a reach, nearest first (see NeighborGrid); the ball of
   /// that radius about v must lie in the one gathered.
@@ -33,6 +40,7 @@ private:
   double radius_ = 0.0;
   LocalFaults faults_;
   std::vector<double> x_, y_, z_;
+  std::vector<Neighbor> found_;
   std::vector<Index> index_;
   std::vector<int> sides_;
   std::vector<double> squared_;         ///< distances of all picks in the question at hand

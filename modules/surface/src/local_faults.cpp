@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 
 namespace graben {
 
@@ -13,26 +14,33 @@ namespace {
 
 constexpr std::size_t kMostSheets = 30; // sides of each are a bit of an int
 
-using Polygon = std::vector<Vector3>;
+/// A triangle, or the part of one in a box.
+struct Polygon {
+  std::array<Vector3, 9> corner;
+  std::size_t count = 0;
+  void add(const Vector3& p) { corner[count++] = p; }
+};
 
-/// The part of a polygon in a box.
+bool contains(const Bounds& box, const Vector3& p) { return (p.array() >= box.low.array()).all() && (p.array() <= box.high.array()).all(); }
+
 void clip(Polygon& polygon, const Bounds& box) {
-  Polygon rest;
+  if (std::all_of(polygon.corner.begin(), polygon.corner.begin() + 3, [&box](const Vector3& p) { return contains(box, p); }))
+    return;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
       const double limit = sign * (sign < 0.0 ? box.low[axis] : box.high[axis]);
-      rest.clear();
-      for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vector3& a = polygon[i];
-        const Vector3& b = polygon[(i + 1) % polygon.size()];
+      Polygon rest;
+      for (std::size_t i = 0; i < polygon.count; ++i) {
+        const Vector3& a = polygon.corner[i];
+        const Vector3& b = polygon.corner[(i + 1) % polygon.count];
         const double beyond_a = sign * a[axis] - limit;
         const double beyond_b = sign * b[axis] - limit;
         if (beyond_a <= 0.0)
-          rest.push_back(a);
+          rest.add(a);
         if ((beyond_a < 0.0 && beyond_b > 0.0) || (beyond_a > 0.0 && beyond_b < 0.0))
-          rest.push_back(a + beyond_a / (beyond_a - beyond_b) * (b - a));
+          rest.add(a + beyond_a / (beyond_a - beyond_b) * (b - a));
       }
-      polygon.swap(rest);
+      polygon = rest;
     }
   }
 }
@@ -79,37 +87,33 @@ LocalFaults::LocalFaults(const FaultNetwork& faults, const FaultBorders& borders
 
 LocalFaults::Sheet LocalFaults::sheetOf(std::size_t fault, const std::vector<Index>& triangles, const FaultBorders& borders) const {
   const TriangleMesh& mesh = faults_->fault(fault).mesh;
+  const auto corner = [&mesh](Index t, std::size_t c) -> const Vector3& {
+    return mesh.vertices[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][c % 3])];
+  };
   Sheet sheet;
+  sheet.fault = fault;
   if (meetsMainFault(*faults_, fault, box_))
     return sheet;
-  std::vector<Vector3> places;
-  Polygon polygon;
   for (const Index t : triangles) {
-    polygon.clear();
-    for (const Index v : mesh.triangles[static_cast<std::size_t>(t)])
-      polygon.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
-    const Vector3 area = (polygon[1] - polygon[0]).cross(polygon[2] - polygon[0]);
-    for (std::size_t e = 0; e < 3; ++e) {
-      Bounds edge;
-      edge.extend(polygon[e]);
-      edge.extend(polygon[(e + 1) % 3]);
-      if ((borders.of(fault, t) & (1U << e)) != 0 && edge.overlaps(box_))
+    for (std::size_t e = 0; e < 3; ++e)
+      if ((borders.of(fault, t) & (1U << e)) != 0 && Bounds{corner(t, e).cwiseMin(corner(t, e + 1)), corner(t, e).cwiseMax(corner(t, e + 1))}.overlaps(box_))
         return sheet;
-    }
-    clip(polygon, box_);
-    if (polygon.empty())
-      continue;
-    sheet.normal += area.stableNormalized();
-    places.insert(places.end(), polygon.begin(), polygon.end());
+    sheet.normal += (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).stableNormalized();
   }
   if (sheet.normal.isZero())
     return sheet;
   sheet.normal.normalize();
   sheet.low = std::numeric_limits<double>::infinity();
   sheet.high = -sheet.low;
-  for (const Vector3& p : places) {
-    sheet.low = std::min(sheet.low, sheet.normal.dot(p));
-    sheet.high = std::max(sheet.high, sheet.normal.dot(p));
+  for (const Index t : triangles) {
+    Polygon polygon;
+    for (std::size_t c = 0; c < 3; ++c)
+      polygon.add(corner(t, c));
+    clip(polygon, box_);
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+      sheet.low = std::min(sheet.low, sheet.normal.dot(polygon.corner[i]));
+      sheet.high = std::max(sheet.high, sheet.normal.dot(polygon.corner[i]));
+    }
   }
   const double rounding = 1e-10 * (box_.low.cwiseAbs().maxCoeff() + box_.high.cwiseAbs().maxCoeff());
   sheet.low -= rounding;
@@ -126,17 +130,35 @@ LocalFaults::Sheet LocalFaults::sheetOf(std::size_t fault, const std::vector<Ind
   return sheet;
 }
 
+/// Side of a place within the slab, by the way out of it along the normal.
+int LocalFaults::sideWithin(const Sheet& sheet, const Vector3& p, double at) const {
+  const double rounding = 1e-12 * (box_.low.cwiseAbs().maxCoeff() + box_.high.cwiseAbs().maxCoeff());
+  for (const int side : {1, 0}) {
+    const Vector3 out = p + ((side == 1 ? sheet.high + rounding : sheet.low - rounding) - at) * sheet.normal;
+    if (!contains(box_, out))
+      continue;
+    const auto hits = faults_->crossings(sheet.fault, p, out);
+    if (!hits.empty() && (hits.front().point - p).cwiseAbs().maxCoeff() <= rounding)
+      return kUncertain;
+    return hits.size() % 2 == 0 ? side : 1 - side;
+  }
+  return kUncertain;
+}
+
 int LocalFaults::sides(const Vector3& p) const {
   if (sheets_.empty())
     return 0;
-  if ((p.array() < box_.low.array()).any() || (p.array() > box_.high.array()).any())
+  if (!contains(box_, p))
     return kUncertain;
   int bits = 0;
   for (const Sheet& sheet : sheets_) {
     const double at = sheet.normal.dot(p);
-    if (!sheet.simple || (at >= sheet.low && at <= sheet.high))
+    int side = kUncertain;
+    if (sheet.simple)
+      side = !sheet.parts || at < sheet.low ? 0 : at > sheet.high ? 1 : sideWithin(sheet, p, at);
+    if (side == kUncertain)
       return kUncertain;
-    bits = 2 * bits + (sheet.parts && at > sheet.high ? 1 : 0);
+    bits = 2 * bits + side;
   }
   return bits;
 }

@@ -22,7 +22,7 @@ private:
 /// FaultNetwork::crosses().
 ///
 /// A fault that passes through the box with no end in it parts the box in two. Places beyond the slab that holds the fault there are told apart by
-/// one product; all others are left to the exact tests.
+/// one product, those within it by one segment each; only where a fault ends every pair is tested.
 class LocalFaults {
 public:
   LocalFaults() = default;
@@ -43,6 +43,7 @@ public:
 
 private:
   struct Sheet {
+    std::size_t fault = 0;
     Vector3 normal = Vector3::Zero();
     double low = 0.0; ///< the sheet lies between these along the normal
     double high = 0.0;
@@ -50,6 +51,8 @@ private:
     bool parts = false;  ///< lies between any place below it and any above
   };
   Sheet sheetOf(std::size_t fault, const std::vector<Index>& triangles, const FaultBorders& borders) const;
+
+  int sideWithin(const Sheet& sheet, const Vector3& p, double at) const;
 
   const FaultNetwork* faults_ = nullptr;
   Bounds box_;

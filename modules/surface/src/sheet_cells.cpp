@@ -217,20 +217,31 @@ void SheetCells::evaluate() {
 }
 
 void SheetCells::evaluateGhosts() {
-  constexpr std::size_t grain = 16; // ghosts made one after another mostly lie in neighbouring cells
+  constexpr std::size_t grain = 8;
   const std::vector<GhostVertex>& ghosts = faulted_.ghosts();
-  const std::size_t first = ghost_values_.size();
+  std::vector<std::pair<std::uint64_t, std::size_t>> order; // block, ghost
+  for (std::size_t g = ghost_values_.size(); g < ghosts.size(); ++g)
+    order.emplace_back(latticeKey(block::blockOf(ghosts[g].at)), g);
+  std::sort(order.begin(), order.end());
+  std::vector<std::size_t> first; // of each block in that order
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (i == 0 || order[i].first != order[i - 1].first)
+      first.push_back(i);
+  first.push_back(order.size());
   ghost_values_.resize(ghosts.size());
-  parallelBlocks(ghosts.size() - first, grain, options_.threads, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(first.size() - 1, grain, options_.threads, [&](std::size_t begin, std::size_t end) {
     SignedDistance::Scratch scratch;
-    Bounds places;
-    for (std::size_t g = first + begin; g < first + end; ++g)
-      places.extend(lattice_.position(ghosts[g].at));
-    if (places.diagonal() < 2.0 * 4.0 * lattice_.voxel_size)
+    for (std::size_t b = begin; b < end; ++b) {
+      Bounds places;
+      for (std::size_t i = first[b]; i < first[b + 1]; ++i)
+        places.extend(lattice_.position(ghosts[order[i].second].at));
       field_.focus(places, scratch);
-    for (std::size_t g = first + begin; g < first + end; ++g) {
-      ghost_values_[g] = field_.at(lattice_.position(ghosts[g].at), lattice_.position(ghosts[g].seen_from), scratch);
-      ghost_values_[g].value -= options_.iso_level;
+      for (std::size_t i = first[b]; i < first[b + 1]; ++i) {
+        const GhostVertex& ghost = ghosts[order[i].second];
+        FieldValue& value = ghost_values_[order[i].second];
+        value = field_.at(lattice_.position(ghost.at), lattice_.position(ghost.seen_from), scratch);
+        value.value -= options_.iso_level;
+      }
     }
   });
 }

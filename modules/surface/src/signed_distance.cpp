@@ -17,7 +17,8 @@ constexpr double kWidestGap = 150.0 * kDegree;        // between the directions 
 constexpr double kWidestGapAtFault = 100.0 * kDegree; // the same where faults close the ring
 constexpr std::size_t kEnclosingPicks = 24;
 constexpr int kRays = 16;
-constexpr double kViewpoint = 2.0; // voxels within which the viewpoint lies from its place
+constexpr double kSlack = 2.0;     // voxels by which what is looked up about faults reaches farther, so that it serves the next place too
+constexpr double kViewpoint = 1.8; // voxels within which the viewpoint lies from its place
 
 Bounds grown(Bounds box, double by) {
   box.low.array() -= by;
@@ -69,23 +70,21 @@ SignedDistance::Scratch::Scratch() : around(std::make_unique<FieldNeighborhood>(
 SignedDistance::Scratch::~Scratch() = default;
 
 void SignedDistance::focusFaults(const Bounds& places, Scratch& scratch) const {
-  const Bounds box = grown(places, query_radius_ + kViewpoint * options_.voxel_size);
+  const Bounds box = grown(places, std::max(query_radius_, kViewpoint * options_.voxel_size));
   const Bounds& known = scratch.around->faults.box();
   if (known.empty() || (box.low.array() < known.low.array()).any() || (box.high.array() > known.high.array()).any())
-    scratch.around->faults = LocalFaults(faults_, *borders_, box);
+    scratch.around->faults = LocalFaults(faults_, *borders_, grown(box, kSlack * options_.voxel_size));
 }
+
+FieldData SignedDistance::data() const { return {grid_, planes_, faults_, *borders_}; }
 
 void SignedDistance::focus(const Bounds& places, Scratch& scratch) const {
   FieldNeighborhood& around = *scratch.around;
   around.places = places;
   around.centre = 0.5 * (places.low + places.high);
   around.extent = 0.5 * places.diagonal() * (1.0 + 1e-9);
-  around.near.gather(grid_, planes_, localFaults(usual_reach_, around), around.centre, around.extent + usual_reach_, scratch.candidates);
+  around.near.gather(data(), around.centre, around.extent + usual_reach_, grown(places, kViewpoint * options_.voxel_size));
   around.far.clear();
-}
-
-LocalFaults SignedDistance::localFaults(double reach, const FieldNeighborhood& around) const {
-  return {faults_, *borders_, grown(around.places, reach + kViewpoint * options_.voxel_size)};
 }
 
 /// \return false if there may be nearer ones than those found
@@ -104,7 +103,7 @@ bool SignedDistance::findVisibleNearby(const Vector3& v, const Vector3& viewpoin
   if (around.near.faults().empty())
     return false;
   if (around.far.untried())
-    around.far.gather(grid_, planes_, localFaults(query_radius_, around), around.centre, around.extent + query_radius_, scratch.candidates);
+    around.far.gather(data(), around.centre, around.extent + query_radius_, grown(around.places, kViewpoint * options_.voxel_size));
   if (around.far.gathered())
     around.far.nearest(v, viewpoint, wanted, query_radius_, scratch.visible);
   return around.far.gathered();

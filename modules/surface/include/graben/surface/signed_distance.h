@@ -10,7 +10,7 @@
 namespace graben {
 
 class FaultBorders;
-class LocalFaults;
+struct FieldData;
 struct FieldNeighborhood;
 
 struct SignedDistanceOptions {
@@ -73,7 +73,7 @@ private:
   bool enclosed(const Vector3& place, const Vector3& normal, Scratch& scratch) const;
   bool insideOutline(const Vector3& place, const Vector3& normal, double near, Scratch& scratch) const;
   bool carriedToFault(const Vector3& foot, double near, Scratch& scratch) const;
-  LocalFaults localFaults(double reach, const FieldNeighborhood& around) const;
+  FieldData data() const;
   void focusFaults(const Bounds& places, Scratch& scratch) const;
   FieldValue blended(const Vector3& v, const std::vector<Neighbor>& visible, Vector3& foot) const;
 
