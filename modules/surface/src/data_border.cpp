@@ -3,7 +3,6 @@
 #include "vertex_moves.h"
 
 #include "graben/core/threads.h"
-#include "graben/mesh/adjacency.h"
 #include "graben/mesh/normals.h"
 
 #include <algorithm>
@@ -16,6 +15,25 @@ namespace {
 constexpr int kRings = 3;
 constexpr double kLeast = 0.35; // of an edge: crossings nearer to the kept end would make slivers
 
+std::uint64_t mixed(Index v) {
+  std::uint64_t x = (static_cast<std::uint64_t>(v) + 1) * 0x9e3779b97f4a7c15ULL;
+  x = (x ^ (x >> 32)) * 0xd6e8feb86659fd93ULL;
+  return x ^ (x >> 32);
+}
+
+/// Vertices whose triangles do not close round them: what the edges of the ring lead to is not what they come from.
+std::vector<std::uint8_t> borderVertices(const TriangleMesh& mesh) {
+  std::vector<std::uint64_t> open(mesh.vertices.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    const std::array<std::uint64_t, 3> number = {mixed(t[0]), mixed(t[1]), mixed(t[2])};
+    for (std::size_t e = 0; e < 3; ++e)
+      open[static_cast<std::size_t>(t[e])] += number[(e + 1) % 3] - number[(e + 2) % 3];
+  }
+  std::vector<std::uint8_t> border(open.size());
+  std::transform(open.begin(), open.end(), border.begin(), [](std::uint64_t sum) { return sum != 0 ? std::uint8_t(1) : std::uint8_t(0); });
+  return border;
+}
+
 class DataBorder {
 public:
   DataBorder(SheetMesh& sheets, const SignedDistance& field, const DataBorderOptions& options)
@@ -24,74 +42,90 @@ public:
   void trim() {
     findBelt();
     measure();
-    std::vector<Triangle> triangles;
-    std::vector<Index> home;
-    triangles.reserve(mesh_.triangles.size());
-    home.reserve(mesh_.triangles.size());
+    std::vector<Triangle> pieces;
+    std::vector<Index> homes;
+    std::size_t kept = 0;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const std::size_t before = triangles.size();
-      keepPart(mesh_.triangles[t], triangles);
-      home.insert(home.end(), triangles.size() - before, sheets_.home[t]);
+      const Triangle triangle = mesh_.triangles[t];
+      const Index home = sheets_.home[t];
+      if (keeps(triangle[0]) && keeps(triangle[1]) && keeps(triangle[2])) {
+        mesh_.triangles[kept] = triangle;
+        sheets_.home[kept++] = home;
+      } else {
+        keepPart(triangle, pieces);
+        homes.resize(pieces.size(), home);
+      }
     }
-    mesh_.triangles = std::move(triangles);
-    sheets_.home = std::move(home);
+    mesh_.triangles.resize(kept);
+    sheets_.home.resize(kept);
+    mesh_.triangles.insert(mesh_.triangles.end(), pieces.begin(), pieces.end());
+    sheets_.home.insert(sheets_.home.end(), homes.begin(), homes.end());
     removeUnreferencedVertices(mesh_);
   }
 
 private:
-  bool keeps(Index v) const { return beyond_[static_cast<std::size_t>(v)] <= options_.overhang; }
+  bool keeps(Index v) const {
+    const Index place = belt_place_[static_cast<std::size_t>(v)];
+    return place < 0 || beyond_[static_cast<std::size_t>(place)] <= options_.overhang;
+  }
+  double beyond(Index v) const {
+    const Index place = belt_place_[static_cast<std::size_t>(v)];
+    return place < 0 ? 0.0 : beyond_[static_cast<std::size_t>(place)];
+  }
 
   /// Vertices within a few rings of the border.
   void findBelt() {
-    const EdgeAdjacency adjacency(mesh_);
-    in_belt_.assign(mesh_.vertices.size(), 0);
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      for (std::size_t e = 0; e < 3; ++e)
-        if (adjacency.isBorder(static_cast<Index>(3 * t + e))) {
-          in_belt_[static_cast<std::size_t>(mesh_.triangles[t][e])] = 1;
-          in_belt_[static_cast<std::size_t>(mesh_.triangles[t][(e + 1) % 3])] = 1;
-        }
-    growRings(mesh_.triangles, kRings, in_belt_);
+    std::vector<std::uint8_t> in_belt = borderVertices(mesh_);
+    growRings(mesh_.triangles, kRings, in_belt);
+    belt_place_.assign(in_belt.size(), -1);
+    for (std::size_t v = 0; v < in_belt.size(); ++v)
+      if (in_belt[v] != 0) {
+        belt_place_[v] = static_cast<Index>(belt_.size());
+        belt_.push_back(static_cast<Index>(v));
+      }
   }
 
   void measure() {
-    computeVertexNormals(mesh_, options_.threads);
-    std::vector<Index> home(mesh_.vertices.size(), -1);
+    Points normals(belt_.size(), Vector3::Zero());
+    std::vector<Index> home(belt_.size(), -1);
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      for (const Index v : mesh_.triangles[t])
-        if (sheets_.home[t] >= 0)
-          home[static_cast<std::size_t>(v)] = sheets_.home[t];
-    beyond_.assign(mesh_.vertices.size(), 0.0);
-    parallelBlocks(beyond_.size(), 256, options_.threads, [&](std::size_t begin, std::size_t end) {
-      SignedDistance::Scratch scratch;
-      for (std::size_t v = begin; v < end; ++v) {
-        if (in_belt_[v] == 0)
+      for (const Index v : mesh_.triangles[t]) {
+        const Index place = belt_place_[static_cast<std::size_t>(v)];
+        if (place < 0)
           continue;
-        const Vector3& viewpoint = home[v] < 0 ? mesh_.vertices[v] : sheets_.homes[static_cast<std::size_t>(home[v])].front();
-        beyond_[v] = field_.distanceBeyond(mesh_.vertices[v], viewpoint, mesh_.normals[v], options_.overhang, scratch);
+        normals[static_cast<std::size_t>(place)] += areaNormal(mesh_, mesh_.triangles[t]);
+        if (sheets_.home[t] >= 0)
+          home[static_cast<std::size_t>(place)] = sheets_.home[t];
+      }
+    beyond_.assign(belt_.size(), 0.0);
+    parallelBlocks(beyond_.size(), 64, options_.threads, [&](std::size_t begin, std::size_t end) {
+      SignedDistance::Scratch scratch;
+      for (std::size_t i = begin; i < end; ++i) {
+        const Vector3& place = mesh_.vertices[static_cast<std::size_t>(belt_[i])];
+        const Vector3& viewpoint = home[i] < 0 ? place : sheets_.homes[static_cast<std::size_t>(home[i])].front();
+        const Vector3 normal = normals[i].squaredNorm() > 0.0 ? Vector3(normals[i].normalized()) : Vector3(Vector3::UnitZ());
+        beyond_[i] = field_.distanceBeyond(place, viewpoint, normal, options_.overhang, scratch);
       }
     });
-    mesh_.normals.clear();
   }
 
   Index crossing(Index in, Index out) {
     const std::uint64_t key = (static_cast<std::uint64_t>(in) << 32) | static_cast<std::uint64_t>(out);
     const auto [entry, added] = crossings_.try_emplace(key, static_cast<Index>(mesh_.vertices.size()));
     if (added) {
-      const double a = beyond_[static_cast<std::size_t>(in)];
-      const double b = beyond_[static_cast<std::size_t>(out)];
+      const double a = beyond(in);
+      const double b = beyond(out);
       const double t = std::clamp((options_.overhang - a) / (b - a), kLeast, 1.0);
       const Vector3 p = mesh_.vertices[static_cast<std::size_t>(in)];
       mesh_.vertices.push_back(p + t * (mesh_.vertices[static_cast<std::size_t>(out)] - p));
+      belt_place_.push_back(-1);
     }
     return entry->second;
   }
 
   void keepPart(const Triangle& t, std::vector<Triangle>& out) {
     const int kept = keeps(t[0]) + keeps(t[1]) + keeps(t[2]);
-    if (kept == 3)
-      out.push_back(t);
-    if (kept == 3 || kept == 0)
+    if (kept == 0)
       return;
     std::size_t odd = 0; // the corner that differs from the other two
     while (keeps(t[odd]) != (kept == 1))
@@ -113,8 +147,9 @@ private:
   TriangleMesh& mesh_;
   const SignedDistance& field_;
   const DataBorderOptions& options_;
-  std::vector<std::uint8_t> in_belt_;
-  std::vector<double> beyond_; ///< distance beyond the data of each vertex, 0 inside
+  std::vector<Index> belt_;       ///< vertices near the border
+  std::vector<Index> belt_place_; ///< of each vertex in belt_, -1 if it is not there
+  std::vector<double> beyond_;    ///< distance beyond the data of each vertex in belt_, 0 inside
   std::unordered_map<std::uint64_t, Index> crossings_;
 };
 
