@@ -4,12 +4,12 @@
 #include "file_content.h"
 #include "file_format.h"
 #include "no_data.h"
+#include "pick_formats.h"
 #include "text_layout.h"
 
 #include "graben/core/errors.h"
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 namespace graben {
@@ -48,15 +48,11 @@ std::string degrees(double angle) {
 
 class DipTable {
 public:
-  DipTable(std::string_view text, const std::string& path, const ReadOptions& options)
-      : layout_(findLayout(text, path, dipTable()))
-      , strike_(layout_.names_used && findDipColumns(layout_.names).azimuth < 0) {
-    picks_.source = path;
-    source_.text = layout_.body;
-    source_.first_line = layout_.first_line;
-    source_.threads = options.threads;
-    source_.progress = options.progress;
-    source_.stage = "reading " + std::filesystem::path(path).filename().string();
+  DipTable(std::string_view text, const PickFile& file)
+      : layout_(findLayout(text, file.path, dipTable()))
+      , strike_(layout_.names_used && findDipColumns(layout_.names).azimuth < 0)
+      , source_(tableSource(layout_.body, layout_.first_line, file)) {
+    picks_.source = file.path;
   }
 
   /// Places and normals; null values are still in.
@@ -105,7 +101,7 @@ DipSet readDips(const std::string& path, const ReadOptions& options) {
   if (format != FileFormat::Text)
     throw ParseError(path, 0, "is " + describe(format) + ", not a table of dips (text x y z dip azimuth, or x y z strike dip)");
   std::string storage;
-  PickSet rows = DipTable(textOf(content, path, storage), path, options).read();
+  PickSet rows = DipTable(textOf(content, path, storage), {content, path, options}).read();
   dropNoData(rows, false, options.threads);
   if (rows.points.empty())
     throw ParseError(path, 0, "is no table of dips: no row holds data");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
@@ -33,6 +34,21 @@ std::string readAll(int descriptor, const std::string& path) {
   }
 }
 
+/// The whole pages of a part of a mapping.
+struct Pages {
+  char* begin;
+  std::size_t bytes;
+};
+
+Pages pagesOf(std::string_view part, bool touched) {
+  static const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+  const auto first = reinterpret_cast<std::uintptr_t>(part.data());
+  const std::uintptr_t last = first + part.size();
+  const std::uintptr_t begin = touched ? first / page * page : (first + page - 1) / page * page;
+  const std::uintptr_t end = touched ? last : last / page * page;
+  return {reinterpret_cast<char*>(begin), end > begin ? end - begin : 0};
+}
+
 } // namespace
 
 FileContent::FileContent(const std::string& path) {
@@ -46,7 +62,7 @@ FileContent::FileContent(const std::string& path) {
     throw IoError(path, "is a folder, not a file");
   if (S_ISREG(status.st_mode) && status.st_size > 0) {
     const auto size = static_cast<std::size_t>(status.st_size);
-    void* mapping = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file.value, 0);
+    void* mapping = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.value, 0);
     if (mapping != MAP_FAILED) {
       mapping_ = mapping;
       bytes_ = {static_cast<const char*>(mapping), size};
@@ -60,6 +76,26 @@ FileContent::FileContent(const std::string& path) {
 FileContent::~FileContent() {
   if (mapping_ != nullptr)
     ::munmap(mapping_, bytes_.size());
+}
+
+void FileContent::load(std::string_view part) const {
+#ifdef MADV_POPULATE_READ
+  const Pages pages = pagesOf(part, true);
+  if (holds(part) && pages.bytes > 0)
+    ::madvise(pages.begin, pages.bytes, MADV_POPULATE_READ);
+#else
+  static_cast<void>(part);
+#endif
+}
+
+void FileContent::release(std::string_view part) const {
+  const Pages pages = pagesOf(part, false);
+  if (holds(part) && pages.bytes > 0)
+    ::madvise(pages.begin, pages.bytes, MADV_DONTNEED);
+}
+
+bool FileContent::holds(std::string_view part) const {
+  return mapping_ != nullptr && part.data() >= bytes_.data() && part.data() + part.size() <= bytes_.data() + bytes_.size();
 }
 
 std::string_view textOf(const FileContent& content, const std::string& path, std::string& storage) {

@@ -17,7 +17,15 @@ public:
 
   std::string_view bytes() const { return bytes_; }
 
+  /// Has \a part in memory before it is read, at less cost than page by page. Thread-safe.
+  void load(std::string_view part) const;
+
+  /// Gives the memory of \a part back; read again, it comes back from the file. Thread-safe.
+  void release(std::string_view part) const;
+
 private:
+  bool holds(std::string_view part) const;
+
   std::string_view bytes_;
   std::string copy_;
   void* mapping_ = nullptr;

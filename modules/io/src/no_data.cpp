@@ -14,8 +14,17 @@ bool isDoubtful(double z) {
   return z == -999.0 || z == -9999.0;
 }
 
+bool isNull(double value) {
+  const double size = std::abs(value);
+  return !(size < 1e29) || size == 999.25 || value == -99999.0;
+}
+
+bool isLineEnd(const Vector3& p) {
+  return p.x() == 999.0 && p.y() == 999.0 && p.z() == 999.0;
+}
+
 bool isFinitePoint(const Vector3& p) {
-  return std::abs(p.x()) < 1e29 && std::abs(p.y()) < 1e29 && std::isfinite(p.x() + p.y());
+  return std::abs(p.x()) < 1e29 && std::abs(p.y()) < 1e29;
 }
 
 enum class Kind { Point, Terminator, NoData };
@@ -28,9 +37,9 @@ struct Survey {
 };
 
 Kind basicKind(const Vector3& p, bool terminators) {
-  if (terminators && isTerminator(p))
+  if (terminators && isLineEnd(p))
     return Kind::Terminator;
-  return isFinitePoint(p) && !isNullValue(p.z()) ? Kind::Point : Kind::NoData;
+  return isFinitePoint(p) && !isNull(p.z()) ? Kind::Point : Kind::NoData;
 }
 
 Survey survey(const Points& points, bool terminators, unsigned threads) {
@@ -70,12 +79,11 @@ Kind kindOf(const Vector3& p, const Survey& survey, bool terminators) {
 } // namespace
 
 bool isNullValue(double value) {
-  return !std::isfinite(value) || std::abs(value) >= 1e29 || std::abs(value) == 999.25 ||
-         value == -99999.0;
+  return isNull(value);
 }
 
 bool isTerminator(const Vector3& point) {
-  return point.x() == 999.0 && point.y() == 999.0 && point.z() == 999.0;
+  return isLineEnd(point);
 }
 
 void dropNoData(PickSet& picks, bool terminators, unsigned threads) {

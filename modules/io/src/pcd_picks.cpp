@@ -1,16 +1,16 @@
 #include "pick_formats.h"
 
+#include "binary_columns.h"
 #include "line_reader.h"
 #include "numbers.h"
 #include "table_reader.h"
 
 #include "graben/core/errors.h"
-#include "graben/core/threads.h"
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <pcl/io/lzf.h>
 
@@ -177,86 +177,42 @@ std::vector<const PcdField*> wantedFields(const PcdHeader& header) {
                        " points, it holds " + std::to_string(held));
 }
 
-template <typename Number>
-void copyColumn(const char* first, std::size_t stride, double* out, std::size_t count) {
-  for (std::size_t i = 0; i < count; ++i) {
-    Number value;
-    std::memcpy(&value, first + i * stride, sizeof(value));
-    out[3 * i] = static_cast<double>(value);
-  }
+BinaryType typeOf(const PcdField& field, const std::string& path) {
+  static const std::map<std::pair<char, std::size_t>, BinaryType> types = {
+      {{'F', 4}, BinaryType::Float32}, {{'F', 8}, BinaryType::Float64}, {{'I', 1}, BinaryType::Int8},
+      {{'I', 2}, BinaryType::Int16},   {{'I', 4}, BinaryType::Int32},   {{'I', 8}, BinaryType::Int64},
+      {{'U', 1}, BinaryType::UInt8},   {{'U', 2}, BinaryType::UInt16},  {{'U', 4}, BinaryType::UInt32},
+      {{'U', 8}, BinaryType::UInt64}};
+  const auto found = types.find({field.type, field.size});
+  if (found == types.end())
+    throw ParseError(path, 0, "field " + field.name + " has an unknown TYPE and SIZE");
+  return found->second;
 }
 
-using Copy = void (*)(const char*, std::size_t, double*, std::size_t);
-
-Copy copyOf(const PcdField& field, const std::string& path) {
-  switch (field.type) {
-  case 'F':
-    if (field.size == 4)
-      return copyColumn<float>;
-    if (field.size == 8)
-      return copyColumn<double>;
-    break;
-  case 'I':
-    if (field.size == 1)
-      return copyColumn<std::int8_t>;
-    if (field.size == 2)
-      return copyColumn<std::int16_t>;
-    if (field.size == 4)
-      return copyColumn<std::int32_t>;
-    if (field.size == 8)
-      return copyColumn<std::int64_t>;
-    break;
-  case 'U':
-    if (field.size == 1)
-      return copyColumn<std::uint8_t>;
-    if (field.size == 2)
-      return copyColumn<std::uint16_t>;
-    if (field.size == 4)
-      return copyColumn<std::uint32_t>;
-    if (field.size == 8)
-      return copyColumn<std::uint64_t>;
-    break;
-  default:
-    break;
-  }
-  throw ParseError(path, 0, "field " + field.name + " has an unknown TYPE and SIZE");
-}
-
-/// One field of all points in memory.
-struct Column {
-  const char* first;
-  std::size_t stride;
-  Copy copy;
-};
-
-void fill(const std::vector<Column>& columns, std::size_t count, unsigned threads, PickSet& picks) {
-  picks.points.resize(count);
+/// Points and, with six columns, normals.
+std::vector<BinaryVectors> vectorsOf(const std::vector<BinaryColumn>& columns, PickSet& picks) {
+  std::vector<BinaryVectors> vectors = {{{columns[0], columns[1], columns[2]}, &picks.points}};
   if (columns.size() == 6)
-    picks.normals.resize(count);
-  parallelBlocks(count, 1 << 14, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      Points& target = c < 3 ? picks.points : picks.normals;
-      columns[c].copy(columns[c].first + begin * columns[c].stride, columns[c].stride,
-                      target[begin].data() + c % 3, end - begin);
-    }
-  });
+    vectors.push_back({{columns[3], columns[4], columns[5]}, &picks.normals});
+  return vectors;
 }
 
-void readBinary(std::string_view body, const PcdHeader& header, const std::string& path,
-                unsigned threads, PickSet& picks) {
+void readBinary(std::string_view body, const PcdHeader& header, const PickFile& file, PickSet& picks) {
   const std::uint64_t held = body.size() / header.point_size;
   if (*header.points > held)
-    failShort(path, *header.points, held);
-  std::vector<Column> columns;
+    failShort(file.path, *header.points, held);
+  std::vector<BinaryColumn> columns;
   for (const PcdField* field : wantedFields(header))
-    columns.push_back({body.data() + field->offset, header.point_size, copyOf(*field, path)});
-  fill(columns, *header.points, threads, picks);
+    columns.push_back({body.data() + field->offset, header.point_size, typeOf(*field, file.path)});
+  BinaryRows rows = BinaryRows::inFile(file.content, body.data(), header.point_size, *header.points);
+  rows.threads = file.options.threads;
+  readVectors(rows, vectorsOf(columns, picks));
 }
 
 /// Two uint32 sizes, then all values of the first field, all of the second, ..., compressed as one
 /// block.
-void readCompressed(std::string_view body, const PcdHeader& header, const std::string& path,
-                    unsigned threads, PickSet& picks) {
+void readCompressed(std::string_view body, const PcdHeader& header, const PickFile& file, PickSet& picks) {
+  const std::string& path = file.path;
   std::uint32_t sizes[2] = {0, 0};
   if (body.size() < sizeof(sizes))
     failShort(path, *header.points, 0);
@@ -270,27 +226,24 @@ void readCompressed(std::string_view body, const PcdHeader& header, const std::s
   std::vector<char> block(sizes[1]);
   if (sizes[1] > 0 && pcl::lzfDecompress(body.data(), sizes[0], block.data(), sizes[1]) != sizes[1])
     throw ParseError(path, 0, "the compressed block is damaged");
-  std::vector<Column> columns;
+  file.content.release(body);
+  std::vector<BinaryColumn> columns;
   for (const PcdField* field : wantedFields(header))
-    columns.push_back(
-        {block.data() + field->offset * *header.points, field->size, copyOf(*field, path)});
-  fill(columns, *header.points, threads, picks);
+    columns.push_back({block.data() + field->offset * *header.points, field->size, typeOf(*field, path)});
+  BinaryRows rows;
+  rows.count = *header.points;
+  rows.threads = file.options.threads;
+  readVectors(rows, vectorsOf(columns, picks));
 }
 
 template <int K>
-Table<K> readAscii(std::string_view body, const PcdHeader& header, const std::string& path,
-                   const ReadOptions& options) {
+Table<K> readAscii(std::string_view body, const PcdHeader& header, const PickFile& file) {
   TableLayout<K> layout;
   const auto wanted = wantedFields(header);
   for (std::size_t k = 0; k < static_cast<std::size_t>(K); ++k)
     layout.columns[k] = static_cast<int>(wanted[k]->column);
-  TableSource source;
-  source.text = body;
-  source.first_line = header.body_line;
-  source.threads = options.threads;
-  source.progress = options.progress;
-  source.stage = "reading " + std::filesystem::path(path).filename().string();
-  Table<K> table = readTable<K>(source, layout);
+  const std::string& path = file.path;
+  Table<K> table = readTable<K>(tableSource(body, header.body_line, file), layout);
   if (!table.bad_lines.empty())
     throw ParseError(path, table.bad_lines.front(),
                      "this row does not hold the fields the header names");
@@ -300,16 +253,11 @@ Table<K> readAscii(std::string_view body, const PcdHeader& header, const std::st
   return table;
 }
 
-void readAscii(std::string_view body, const PcdHeader& header, const std::string& path,
-               const ReadOptions& options, PickSet& picks) {
-  if (wantedFields(header).size() == 3) {
-    picks.points = readAscii<3>(body, header, path, options).rows;
-    return;
-  }
-  for (const auto& row : readAscii<6>(body, header, path, options).rows) {
-    picks.points.push_back(row.head<3>());
-    picks.normals.push_back(row.tail<3>());
-  }
+void readAscii(std::string_view body, const PcdHeader& header, const PickFile& file, PickSet& picks) {
+  if (wantedFields(header).size() == 3)
+    picks.points = readAscii<3>(body, header, file).rows;
+  else
+    splitRows(readAscii<6>(body, header, file).rows, file.options.threads, picks);
 }
 
 void note(const PcdHeader& header, PickSet& picks) {
@@ -326,16 +274,17 @@ void note(const PcdHeader& header, PickSet& picks) {
 
 } // namespace
 
-PickSet readPcdPicks(std::string_view bytes, const std::string& path, const ReadOptions& options) {
-  const PcdHeader header = PcdHeaderParser(bytes, path).parse();
+PickSet readPcdPicks(const PickFile& file) {
+  const std::string_view bytes = file.content.bytes();
+  const PcdHeader header = PcdHeaderParser(bytes, file.path).parse();
   const std::string_view body = bytes.substr(header.body);
   PickSet picks;
   if (header.data == "binary")
-    readBinary(body, header, path, options.threads, picks);
+    readBinary(body, header, file, picks);
   else if (header.data == "binary_compressed")
-    readCompressed(body, header, path, options.threads, picks);
+    readCompressed(body, header, file, picks);
   else
-    readAscii(body, header, path, options, picks);
+    readAscii(body, header, file, picks);
   note(header, picks);
   return picks;
 }

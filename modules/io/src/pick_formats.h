@@ -1,5 +1,8 @@
 #pragma once
 
+#include "file_content.h"
+#include "table_reader.h"
+
 #include "graben/io/pick_reader.h"
 
 #include <string>
@@ -7,11 +10,23 @@
 
 namespace graben {
 
-/// One reader per format; \a bytes is the whole file, \a path is for messages. Null values are
-/// still in what they return.
-PickSet readTextPicks(std::string_view bytes, const std::string& path, const ReadOptions& options);
-PickSet readPcdPicks(std::string_view bytes, const std::string& path, const ReadOptions& options);
-PickSet readPlyPicks(std::string_view bytes, const std::string& path);
-PickSet readGocadPicks(std::string_view bytes, const std::string& path);
+/// A file of picks and how it is to be read.
+struct PickFile {
+  const FileContent& content;
+  const std::string& path; ///< for messages
+  const ReadOptions& options;
+};
+
+/// One reader per format; \a text is the file's text. Null values are still in what they return.
+PickSet readTextPicks(std::string_view text, const PickFile& file);
+PickSet readPcdPicks(const PickFile& file);
+PickSet readPlyPicks(const PickFile& file);
+PickSet readGocadPicks(std::string_view text, const std::string& path);
+
+/// Rows of a point and its normal.
+void splitRows(const std::vector<Eigen::Matrix<double, 6, 1>>& rows, unsigned threads, PickSet& picks);
+
+/// The rows of a text table within \a file.
+TableSource tableSource(std::string_view text, std::size_t first_line, const PickFile& file);
 
 } // namespace graben

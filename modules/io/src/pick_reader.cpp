@@ -6,28 +6,27 @@
 #include "pick_formats.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/threads.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace graben {
 namespace {
 
-PickSet readRows(const FileContent& content, const std::string& path, const ReadOptions& options) {
-  if (content.bytes().empty())
-    throw ParseError(path, 0, "the file is empty");
-  const FileFormat format = formatOf(content.bytes(), path);
+PickSet readRows(const PickFile& file, FileFormat format) {
   std::string storage;
   switch (format) {
   case FileFormat::Text:
-    return readTextPicks(textOf(content, path, storage), path, options);
+    return readTextPicks(textOf(file.content, file.path, storage), file);
   case FileFormat::Pcd:
-    return readPcdPicks(content.bytes(), path, options);
+    return readPcdPicks(file);
   case FileFormat::Ply:
-    return readPlyPicks(content.bytes(), path);
+    return readPlyPicks(file);
   case FileFormat::Gocad:
-    return readGocadPicks(textOf(content, path, storage), path);
+    return readGocadPicks(textOf(file.content, file.path, storage), file.path);
   default:
-    throw ParseError(path, 0,
+    throw ParseError(file.path, 0,
                      "is " + describe(format) +
                          ", not a set of picks (text x y z, PCD, PLY, GOCAD VSet)");
   }
@@ -48,11 +47,33 @@ ZPositive impliedByRms(const PickSet& picks) {
 
 } // namespace
 
+TableSource tableSource(std::string_view text, std::size_t first_line, const PickFile& file) {
+  TableSource source;
+  source.text = text;
+  source.file = &file.content;
+  source.first_line = first_line;
+  source.threads = file.options.threads;
+  source.progress = file.options.progress;
+  source.stage = "reading " + std::filesystem::path(file.path).filename().string();
+  return source;
+}
+
+void splitRows(const std::vector<Eigen::Matrix<double, 6, 1>>& rows, unsigned threads, PickSet& picks) {
+  picks.points.resize(rows.size());
+  picks.normals.resize(rows.size());
+  parallelFor(rows.size(), 1 << 15, threads, [&](std::size_t i) {
+    picks.points[i] = rows[i].head<3>();
+    picks.normals[i] = rows[i].tail<3>();
+  });
+}
+
 PickSet readPicks(const std::string& path, const ReadOptions& options) {
   const FileContent content(path);
-  PickSet picks = readRows(content, path, options);
-  picks.source = path;
+  if (content.bytes().empty())
+    throw ParseError(path, 0, "the file is empty");
   const FileFormat format = formatOf(content.bytes(), path);
+  PickSet picks = readRows({content, path, options}, format);
+  picks.source = path;
   dropNoData(picks, format == FileFormat::Text, options.threads);
   if (picks.points.empty())
     throw ParseError(path, 0, "is no point cloud: no row holds data");

@@ -61,4 +61,27 @@ void PlyBody::skip(const PlyElement& element) {
   }
 }
 
+const char* PlyBody::take(std::uint64_t count, std::size_t stride) {
+  if (stride > 0 && count > (bytes_.size() - at_) / stride)
+    fail("the file is cut short");
+  const char* first = bytes_.data() + at_;
+  at_ += count * stride;
+  return first;
+}
+
+std::string_view PlyBody::lines(std::uint64_t count) const {
+  const char* end = bytes_.data() + at_;
+  const char* last = bytes_.data() + bytes_.size();
+  for (; count > 0 && end != last; --count) {
+    const void* newline = std::memchr(end, '\n', static_cast<std::size_t>(last - end));
+    end = newline == nullptr ? last : static_cast<const char*>(newline) + 1;
+  }
+  return {bytes_.data() + at_, static_cast<std::size_t>(end - bytes_.data()) - at_};
+}
+
+void PlyBody::pass(std::string_view lines) {
+  at_ += lines.size();
+  line_ += static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
+}
+
 } // namespace graben

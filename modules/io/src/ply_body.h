@@ -23,6 +23,17 @@ public:
 
   void skip(const PlyElement& element);
 
+  /// What has not been read yet.
+  std::string_view rest() const { return bytes_.substr(at_); }
+
+  /// Passes over \a count rows of \a stride bytes and gives the first.
+  /// \throw ParseError if the file ends before
+  const char* take(std::uint64_t count, std::size_t stride);
+
+  /// The next \a count lines, or what is left of the file; read only after pass().
+  std::string_view lines(std::uint64_t count) const;
+  void pass(std::string_view lines);
+
 private:
   [[noreturn]] void fail(const std::string& message) const;
   double nextText();

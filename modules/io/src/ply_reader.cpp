@@ -1,14 +1,19 @@
+#include "binary_columns.h"
 #include "file_content.h"
 #include "mesh_formats.h"
 #include "pick_formats.h"
 #include "ply_body.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/threads.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <numeric>
 
 namespace graben {
 namespace {
@@ -25,11 +30,13 @@ struct Target {
 
 class PlyReader {
 public:
-  PlyReader(std::string_view bytes, const std::string& path, bool with_faces)
+  /// \param[in] picks the file as one of picks, without faces; null for a mesh
+  PlyReader(std::string_view bytes, const std::string& path, const PickFile* picks)
       : path_(path)
       , header_(readPlyHeader(bytes, path))
       , body_(bytes, header_, path)
-      , with_faces_(with_faces) {}
+      , picks_(picks)
+      , with_faces_(picks == nullptr) {}
 
   MeshInput read();
 
@@ -37,6 +44,10 @@ private:
   [[noreturn]] void fail(const std::string& message) const { throw ParseError(path_, 0, message); }
   std::vector<Target> targetsOf(const PlyElement& element);
   void readVertices(const PlyElement& element);
+  bool readBinaryVertices(const PlyElement& element, const std::vector<Target>& targets);
+  bool readTextVertices(const PlyElement& element, const std::vector<Target>& targets);
+  void readValues(const PlyElement& element, const std::vector<Target>& targets);
+  bool readBinaryTriangles(const PlyElement& element);
   void readFaces(const PlyElement& element);
   void addPolygon(const std::vector<double>& corners);
   void note();
@@ -44,6 +55,7 @@ private:
   const std::string& path_;
   PlyHeader header_;
   PlyBody body_;
+  const PickFile* picks_;
   bool with_faces_;
   MeshInput input_;
   std::vector<std::string> ignored_;
@@ -56,6 +68,10 @@ const PlyProperty* find(const PlyElement& element, std::string_view name) {
     if (p.name == name && !p.is_list)
       return &p;
   return nullptr;
+}
+
+bool hasNumbersOnly(const PlyElement& element) {
+  return std::none_of(element.properties.begin(), element.properties.end(), [](const PlyProperty& p) { return p.is_list; });
 }
 
 std::vector<Target> PlyReader::targetsOf(const PlyElement& element) {
@@ -106,11 +122,94 @@ void PlyReader::readVertices(const PlyElement& element) {
   has_vertices_ = true;
   TriangleMesh& mesh = input_.mesh;
   const std::vector<Target> targets = targetsOf(element);
-  mesh.vertices.resize(element.count);
   if (with_faces_ && find(element, "piece") != nullptr)
     mesh.piece.resize(element.count);
   for (auto& scalar : mesh.scalars)
     scalar.second.resize(element.count);
+  if (!readBinaryVertices(element, targets) && !readTextVertices(element, targets))
+    readValues(element, targets);
+}
+
+/// Vertices of numbers alone, each as long as the other.
+bool PlyReader::readBinaryVertices(const PlyElement& element, const std::vector<Target>& targets) {
+  if (header_.encoding == PlyEncoding::Ascii || !hasNumbersOnly(element))
+    return false;
+  const std::size_t stride = std::accumulate(element.properties.begin(), element.properties.end(), std::size_t{0},
+                                             [](std::size_t sum, const PlyProperty& p) { return sum + sizeOf(p.type); });
+  TriangleMesh& mesh = input_.mesh;
+  std::vector<BinaryVectors> vectors = {{{}, &mesh.vertices}};
+  if (!mesh.normals.empty())
+    vectors.push_back({{}, &mesh.normals});
+  std::vector<std::pair<BinaryColumn, const Target*>> others;
+  const char* first = body_.take(element.count, stride);
+  const char* at = first;
+  for (std::size_t p = 0; p < targets.size(); ++p) {
+    const BinaryColumn column{at, stride, element.properties[p].type, header_.encoding == PlyEncoding::BigEndian};
+    at += sizeOf(column.type);
+    const Target& target = targets[p];
+    if (target.kind == Target::Kind::Position || target.kind == Target::Kind::Normal)
+      vectors[target.kind == Target::Kind::Position ? 0 : 1].columns[static_cast<std::size_t>(target.component)] = column;
+    else
+      others.emplace_back(column, &target);
+  }
+  BinaryRows rows;
+  rows.count = element.count;
+  if (picks_ != nullptr) {
+    rows = BinaryRows::inFile(picks_->content, first, stride, element.count);
+    rows.threads = picks_->options.threads;
+  }
+  readVectors(rows, vectors);
+  if (with_faces_)
+    forRows(rows, [&](std::size_t begin, std::size_t end) {
+      for (const auto& [column, target] : others) {
+        if (target->kind == Target::Kind::Piece)
+          readColumn(column, begin, end, mesh.piece.data() + begin);
+        else if (target->scalar != nullptr)
+          readColumn(column, begin, end, target->scalar->data() + begin);
+      }
+    });
+  return true;
+}
+
+/// Picks as nearly all ascii files have them: a line for each.
+bool PlyReader::readTextVertices(const PlyElement& element, const std::vector<Target>& targets) {
+  if (header_.encoding != PlyEncoding::Ascii || !hasNumbersOnly(element) || picks_ == nullptr)
+    return false;
+  TableLayout<6> six;
+  TableLayout<3> three;
+  for (std::size_t p = 0; p < targets.size(); ++p) {
+    const auto component = static_cast<std::size_t>(targets[p].component);
+    if (targets[p].kind == Target::Kind::Position)
+      six.columns[component] = three.columns[component] = static_cast<int>(p);
+    else if (targets[p].kind == Target::Kind::Normal)
+      six.columns[3 + component] = static_cast<int>(p);
+  }
+  six.columns_in_row = three.columns_in_row = targets.size();
+  const std::string_view lines = body_.lines(element.count);
+  const TableSource source = tableSource(lines, header_.body_line, *picks_);
+  PickSet picks;
+  bool whole = false;
+  if (input_.mesh.normals.empty()) {
+    Table<3> table = readTable<3>(source, three);
+    whole = table.bad_lines.empty() && table.rows.size() == element.count;
+    picks.points = std::move(table.rows);
+  } else {
+    const Table<6> table = readTable<6>(source, six);
+    whole = table.bad_lines.empty() && table.rows.size() == element.count;
+    if (whole)
+      splitRows(table.rows, picks_->options.threads, picks);
+  }
+  if (whole) {
+    body_.pass(lines);
+    input_.mesh.vertices = std::move(picks.points);
+    input_.mesh.normals = std::move(picks.normals);
+  }
+  return whole;
+}
+
+void PlyReader::readValues(const PlyElement& element, const std::vector<Target>& targets) {
+  TriangleMesh& mesh = input_.mesh;
+  mesh.vertices.resize(element.count);
   for (std::size_t v = 0; v < element.count; ++v) {
     for (std::size_t p = 0; p < targets.size(); ++p) {
       const PlyProperty& property = element.properties[p];
@@ -144,9 +243,43 @@ void PlyReader::addPolygon(const std::vector<double>& corners) {
   polygons_ += corners.size() > 3 ? 1 : 0;
 }
 
+/// Faces as nearly all files have them: three 32 bit corners behind a byte that says so.
+bool PlyReader::readBinaryTriangles(const PlyElement& element) {
+  if (header_.encoding != PlyEncoding::LittleEndian || element.properties.size() != 1)
+    return false;
+  const PlyProperty& list = element.properties.front();
+  if (!list.is_list || (list.name != "vertex_indices" && list.name != "vertex_index") || sizeOf(list.count_type) != 1 ||
+      (list.type != BinaryType::Int32 && list.type != BinaryType::UInt32))
+    return false;
+  constexpr std::size_t stride = 1 + 3 * sizeof(Index);
+  const std::string_view bytes = body_.rest();
+  if (bytes.size() / stride < element.count)
+    return false;
+  const auto vertices = static_cast<Index>(input_.mesh.vertices.size());
+  std::vector<Triangle>& triangles = input_.mesh.triangles;
+  triangles.resize(element.count);
+  std::atomic<bool> good{true};
+  parallelBlocks(element.count, 1 << 15, 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const char* at = bytes.data() + t * stride;
+      Triangle& corners = triangles[t];
+      std::memcpy(corners.data(), at + 1, sizeof(corners));
+      if (*at != 3 || std::any_of(corners.begin(), corners.end(), [&](Index v) { return v < 0 || v >= vertices; }))
+        good = false;
+    }
+  });
+  if (good)
+    body_.take(element.count, stride);
+  else
+    triangles.clear();
+  return good;
+}
+
 void PlyReader::readFaces(const PlyElement& element) {
   if (!has_vertices_)
     fail("the PLY faces come before the vertices");
+  if (readBinaryTriangles(element))
+    return;
   std::vector<double> values;
   for (std::uint64_t f = 0; f < element.count; ++f) {
     for (const PlyProperty& property : element.properties) {
@@ -194,11 +327,11 @@ MeshInput PlyReader::read() {
 } // namespace
 
 MeshInput readPlyMesh(std::string_view bytes, const std::string& path) {
-  return PlyReader(bytes, path, true).read();
+  return PlyReader(bytes, path, nullptr).read();
 }
 
-PickSet readPlyPicks(std::string_view bytes, const std::string& path) {
-  MeshInput input = PlyReader(bytes, path, false).read();
+PickSet readPlyPicks(const PickFile& file) {
+  MeshInput input = PlyReader(file.content.bytes(), file.path, &file).read();
   PickSet picks;
   picks.points = std::move(input.mesh.vertices);
   picks.normals = std::move(input.mesh.normals);

@@ -3,33 +3,71 @@
 #include "graben/core/threads.h"
 
 #include <algorithm>
-#include <vector>
+#include <condition_variable>
+#include <mutex>
 
 namespace graben {
+namespace {
+
+constexpr std::size_t rows_per_block = 1 << 13;
+
+/// Workers take blocks in order, format them at the same time and write them one after the other.
+class RowWriting {
+public:
+  RowWriting(AtomicFile& file, std::size_t count, const RowFormat& format)
+      : file_(file)
+      , count_(count)
+      , format_(format) {}
+
+  void work() {
+    std::string bytes;
+    for (std::size_t block = take(); block * rows_per_block < count_; block = take()) {
+      try {
+        bytes.clear();
+        format_(block * rows_per_block, std::min(count_, (block + 1) * rows_per_block), bytes);
+        std::unique_lock<std::mutex> lock(mutex_);
+        turn_comes_.wait(lock, [&] { return failed_ || written_ == block; });
+        if (failed_)
+          return;
+        lock.unlock();
+        file_.write(bytes);
+        lock.lock();
+        ++written_;
+      } catch (...) {
+        {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          failed_ = true;
+        }
+        turn_comes_.notify_all();
+        throw;
+      }
+      turn_comes_.notify_all();
+    }
+  }
+
+private:
+  std::size_t take() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return taken_++;
+  }
+
+  AtomicFile& file_;
+  std::size_t count_;
+  const RowFormat& format_;
+  std::mutex mutex_;
+  std::condition_variable turn_comes_;
+  std::size_t taken_ = 0;
+  std::size_t written_ = 0; ///< blocks; also the block whose turn it is
+  bool failed_ = false;
+};
+
+} // namespace
 
 void writeRows(AtomicFile& file, std::size_t count, unsigned threads, const RowFormat& format) {
-  constexpr std::size_t rows_per_block = 1 << 13;
-  const std::size_t blocks_per_batch = 4 * std::size_t{threadCount(threads)};
+  RowWriting writing(file, count, format);
   const std::size_t blocks = (count + rows_per_block - 1) / rows_per_block;
-  std::vector<std::string> filling(std::min(blocks, blocks_per_batch));
-  std::vector<std::string> full(filling.size());
-  std::size_t full_blocks = 0;
-  for (std::size_t first = 0; first < blocks || full_blocks > 0; first += blocks_per_batch) {
-    const std::size_t new_blocks = first < blocks ? std::min(blocks_per_batch, blocks - first) : 0;
-    parallelFor(new_blocks + 1, 1, threads, [&](std::size_t task) {
-      if (task == 0) {
-        for (std::size_t b = 0; b < full_blocks; ++b)
-          file.write(full[b]);
-        return;
-      }
-      const std::size_t begin = (first + task - 1) * rows_per_block;
-      std::string& bytes = filling[task - 1];
-      bytes.clear();
-      format(begin, std::min(count, begin + rows_per_block), bytes);
-    });
-    filling.swap(full);
-    full_blocks = new_blocks;
-  }
+  const std::size_t workers = std::min<std::size_t>(blocks, threadCount(threads));
+  parallelFor(workers, 1, static_cast<unsigned>(workers), [&](std::size_t) { writing.work(); });
 }
 
 } // namespace graben

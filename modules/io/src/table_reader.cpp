@@ -1,11 +1,15 @@
 #include "table_reader.h"
 
+#include "fast_row.h"
 #include "line_reader.h"
 #include "numbers.h"
 
 #include "graben/core/threads.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
 #include <numeric>
 
 namespace graben {
@@ -22,7 +26,7 @@ bool isBlank(char c) {
 template <int K>
 std::vector<int> slotsOf(const TableLayout<K>& layout) {
   const int last = *std::max_element(layout.columns.begin(), layout.columns.end());
-  std::vector<int> slots(static_cast<std::size_t>(last) + 1, -1);
+  std::vector<int> slots(std::max(static_cast<std::size_t>(last) + 1, layout.columns_in_row), -1);
   for (int k = 0; k < K; ++k)
     slots[static_cast<std::size_t>(layout.columns[static_cast<std::size_t>(k)])] = k;
   return slots;
@@ -92,81 +96,118 @@ bool parseDelimitedRow(std::string_view line, char delimiter, const std::vector<
   return true;
 }
 
+std::size_t fieldCount(std::string_view line, char delimiter) {
+  std::vector<std::string_view> fields;
+  splitFields(line, delimiter, fields);
+  return fields.size();
+}
+
 template <typename Row>
 bool parseRow(std::string_view line, char delimiter, const std::vector<int>& slots, Row& row) {
   return delimiter == ' ' ? parseBlankRow(line, slots, row)
                           : parseDelimitedRow(line, delimiter, slots, row);
 }
 
+std::size_t countLines(std::string_view text) {
+  constexpr std::size_t lanes = 16;
+  constexpr std::size_t most_steps = 255;
+  std::size_t lines = text.empty() || text.back() == '\n' ? 0 : 1;
+  while (text.size() >= lanes) {
+    const std::size_t steps = std::min(most_steps, text.size() / lanes);
+    std::array<std::uint8_t, lanes> found{};
+    for (std::size_t s = 0; s < steps; ++s)
+      for (std::size_t i = 0; i < lanes; ++i)
+        found[i] = static_cast<std::uint8_t>(found[i] + (text[s * lanes + i] == '\n' ? 1 : 0));
+    lines = std::accumulate(found.begin(), found.end(), lines);
+    text.remove_prefix(steps * lanes);
+  }
+  return lines + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// Some whole lines of the table.
+struct Block {
+  std::string_view text;
+  std::size_t first_line = 0; ///< number of the lines before it in the text
+  std::size_t lines = 0;
+  std::size_t rows = 0;                 ///< read
+  std::vector<std::size_t> bad_lines{}; ///< from 1 within the block
+  std::size_t last_line = 0;            ///< that held a row, from 1 within the block; 0: none
+};
+
+void loadText(const TableSource& source, std::string_view text) {
+  if (source.file != nullptr)
+    source.file->load(text);
+}
+
+void releaseText(const TableSource& source, std::string_view text) {
+  if (source.file != nullptr)
+    source.file->release(text);
+}
+
 /// Cuts a text into blocks that end with a line.
-std::vector<std::string_view> blocksOf(std::string_view text) {
-  std::vector<std::string_view> blocks;
-  while (!text.empty()) {
+std::vector<Block> blocksOf(const TableSource& source) {
+  std::vector<Block> blocks;
+  for (std::string_view text = source.text; !text.empty();) {
     std::size_t end = text.size();
     if (end > block_bytes) {
       end = text.find('\n', block_bytes);
       end = end == std::string_view::npos ? text.size() : end + 1;
     }
-    blocks.push_back(text.substr(0, end));
+    blocks.push_back({text.substr(0, end)});
     text.remove_prefix(end);
   }
+  parallelFor(blocks.size(), 1, source.threads, [&](std::size_t b) {
+    loadText(source, blocks[b].text);
+    blocks[b].lines = countLines(blocks[b].text);
+    releaseText(source, blocks[b].text);
+  });
+  for (std::size_t b = 1; b < blocks.size(); ++b)
+    blocks[b].first_line = blocks[b - 1].first_line + blocks[b - 1].lines;
   return blocks;
 }
 
+/// Reads the rows of a block to where its first line's row would stand.
 template <int K>
-struct Block {
-  Table<K> table; ///< line numbers from 1 within the block
-  std::size_t lines = 0;
-};
-
-template <int K>
-Block<K> readBlock(std::string_view text, char delimiter, const std::vector<int>& slots) {
-  Block<K> block;
-  block.table.rows.reserve(text.size() / 24);
+void readBlock(Block& block, const TableLayout<K>& layout, const std::vector<int>& slots,
+               Eigen::Matrix<double, K, 1>* out) {
+  const bool exact = layout.columns_in_row > 0;
+  const char* at = block.text.data();
+  const char* end = at + block.text.size();
+  const FastRow fast(layout.delimiter, slots, exact, end);
+  const std::size_t last_newline = block.text.find_last_of('\n');
+  const char* closed = last_newline == std::string_view::npos ? at : at + last_newline + 1;
   Eigen::Matrix<double, K, 1> row;
-  LineReader reader(text);
-  std::string_view line;
-  while (reader.next(line)) {
-    if (!isPassedOver(line)) {
-      if (parseRow(line, delimiter, slots, row)) {
-        block.table.rows.push_back(row);
-        block.table.last_line = reader.number();
-      } else {
-        block.table.bad_lines.push_back(reader.number());
-      }
+  for (std::size_t line = 1; at != end; ++line) {
+    const char* next = at < closed ? fast.read(at, row) : nullptr;
+    bool good = next != nullptr;
+    if (!good) {
+      LineReader reader(std::string_view(at, static_cast<std::size_t>(end - at)));
+      std::string_view text;
+      reader.next(text);
+      next = end - reader.rest().size();
+      good = !isPassedOver(text) && parseRow(text, layout.delimiter, slots, row) && (!exact || fieldCount(text, layout.delimiter) == slots.size());
+      if (!good && !isPassedOver(text))
+        block.bad_lines.push_back(line);
     }
+    if (good) {
+      *out++ = row;
+      ++block.rows;
+      block.last_line = line;
+    }
+    at = next;
   }
-  block.lines = reader.number();
-  return block;
 }
 
+/// Closes the gaps that lines without a row have left.
 template <int K>
-Table<K> joined(std::vector<Block<K>>& blocks, std::size_t first_line, unsigned threads) {
-  Table<K> table;
-  std::vector<std::size_t> starts;
-  std::size_t rows = 0;
-  std::size_t line = first_line - 1;
-  for (const Block<K>& block : blocks) {
-    starts.push_back(rows);
-    rows += block.table.rows.size();
-    for (const std::size_t bad : block.table.bad_lines)
-      table.bad_lines.push_back(line + bad);
-    if (block.table.last_line > 0)
-      table.last_line = line + block.table.last_line;
-    line += block.lines;
+void closeGaps(const std::vector<Block>& blocks, std::vector<Eigen::Matrix<double, K, 1>>& rows) {
+  std::size_t end = 0;
+  for (const Block& block : blocks) {
+    if (end != block.first_line)
+      std::memmove(static_cast<void*>(rows.data() + end), rows.data() + block.first_line, block.rows * sizeof(rows[0]));
+    end += block.rows;
   }
-  if (blocks.size() == 1) {
-    table.rows = std::move(blocks.front().table.rows);
-    return table;
-  }
-  table.rows.resize(rows);
-  parallelFor(blocks.size(), 1, threads, [&](std::size_t b) {
-    const auto& part = blocks[b].table.rows;
-    std::copy(part.begin(), part.end(),
-              table.rows.begin() + static_cast<std::ptrdiff_t>(starts[b]));
-    blocks[b].table = {};
-  });
-  return table;
+  rows.resize(end);
 }
 
 } // namespace
@@ -199,17 +240,31 @@ bool parseTableRow(std::string_view line, const TableLayout<K>& layout,
 template <int K>
 Table<K> readTable(const TableSource& source, const TableLayout<K>& layout) {
   const std::vector<int> slots = slotsOf(layout);
-  const std::vector<std::string_view> texts = blocksOf(source.text);
-  std::vector<Block<K>> blocks(texts.size());
-  for (std::size_t begin = 0; begin < texts.size(); begin += blocks_per_report) {
-    const std::size_t count = std::min(blocks_per_report, texts.size() - begin);
+  std::vector<Block> blocks = blocksOf(source);
+  Table<K> table;
+  if (blocks.empty())
+    return table;
+  table.rows.resize(blocks.back().first_line + blocks.back().lines);
+  for (std::size_t begin = 0; begin < blocks.size(); begin += blocks_per_report) {
+    const std::size_t count = std::min(blocks_per_report, blocks.size() - begin);
     parallelFor(count, 1, source.threads, [&](std::size_t i) {
-      blocks[begin + i] = readBlock<K>(texts[begin + i], layout.delimiter, slots);
+      Block& block = blocks[begin + i];
+      loadText(source, block.text);
+      readBlock<K>(block, layout, slots, table.rows.data() + block.first_line);
+      releaseText(source, block.text);
     });
     report(source.progress, source.stage,
-           static_cast<double>(begin + count) / static_cast<double>(texts.size()));
+           static_cast<double>(begin + count) / static_cast<double>(blocks.size()));
   }
-  return joined(blocks, source.first_line, source.threads);
+  for (const Block& block : blocks) {
+    const std::size_t line = source.first_line - 1 + block.first_line;
+    for (const std::size_t bad : block.bad_lines)
+      table.bad_lines.push_back(line + bad);
+    if (block.last_line > 0)
+      table.last_line = line + block.last_line;
+  }
+  closeGaps<K>(blocks, table.rows);
+  return table;
 }
 
 template <int K>

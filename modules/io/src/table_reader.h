@@ -1,5 +1,7 @@
 #pragma once
 
+#include "file_content.h"
+
 #include "graben/core/progress.h"
 
 #include <Eigen/Core>
@@ -18,6 +20,7 @@ struct TableLayout {
   char delimiter =
       ' '; ///< ' ': any run of blanks and tabs; ',' ';' or '\t': exactly one between two fields
   std::array<int, K> columns{}; ///< column of each wanted number, from 0
+  std::size_t columns_in_row = 0; ///< a row must have exactly so many; 0: any number
 };
 
 /// The rows of a text table in file order; a field that says "no data" is NaN.
@@ -31,6 +34,7 @@ struct Table {
 /// What to read and how.
 struct TableSource {
   std::string_view text;
+  const FileContent* file = nullptr; ///< whose memory is given back when it has been read
   std::size_t first_line = 1; ///< number of the text's first line in its file
   unsigned threads = 0;
   ProgressCallback progress;

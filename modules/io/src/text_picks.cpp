@@ -3,8 +3,6 @@
 #include "column_names.h"
 #include "text_layout.h"
 
-#include <filesystem>
-
 namespace graben {
 namespace {
 
@@ -21,17 +19,11 @@ const TableKind& pointTable() {
 
 } // namespace
 
-PickSet readTextPicks(std::string_view bytes, const std::string& path, const ReadOptions& options) {
-  const TextLayout layout = findLayout(bytes, path, pointTable());
-  TableSource source;
-  source.text = layout.body;
-  source.first_line = layout.first_line;
-  source.threads = options.threads;
-  source.progress = options.progress;
-  source.stage = "reading " + std::filesystem::path(path).filename().string();
-  Table<3> table = readTable<3>(source, tableLayoutOf<3>(layout));
+PickSet readTextPicks(std::string_view text, const PickFile& file) {
+  const TextLayout layout = findLayout(text, file.path, pointTable());
+  Table<3> table = readTable<3>(tableSource(layout.body, layout.first_line, file), tableLayoutOf<3>(layout));
   PickSet picks;
-  picks.source = path;
+  picks.source = file.path;
   noteColumns(layout, pointTable(), picks.notes);
   judgeBadRows(table.bad_lines, table.last_line, pointTable(), picks);
   picks.points = std::move(table.rows);

@@ -96,6 +96,69 @@ TEST(PlyReader, dropsTrianglesThatAreNotFinite) {
   EXPECT_THAT(meshes[0].notes, Contains(HasSubstr("1 triangles with a corner")));
 }
 
+std::string asciiCloud(const std::string& body, int count) {
+  return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count) +
+         "\nproperty float nz\nproperty double x\nproperty double y\nproperty float nx\nproperty float ny\nproperty double z\n"
+         "property uchar red\nend_header\n" + body;
+}
+
+TEST(PlyReader, readsAsciiPicksHoweverTheLinesAreBroken) {
+  const TempFolder folder;
+  const std::string lines = asciiCloud("1 10.5 20 0 0 -5 255\r\n0 1e3 21 1 0 -6 0\r\n", 2);
+  const std::string broken = asciiCloud("1 10.5 20 0 0\n-5 255 0 1e3 21 1 0 -6\n0", 2);
+  const std::string joined = asciiCloud("1 10.5 20 0 0 -5 255 0 1e3 21 1 0 -6 0\n", 2);
+  for (const std::string& content : {lines, broken, joined}) {
+    const PickSet picks = readPicks(folder.write("a.ply", content));
+    EXPECT_EQ(picks.points, (Points{{10.5, 20, -5}, {1000, 21, -6}}));
+    EXPECT_EQ(picks.normals, (Points{{0, 0, 1}, {1, 0, 0}}));
+  }
+  const std::string bad = folder.write("a.ply", asciiCloud("1 10.5 20 0 0 -5 255\n0 oops 21 1 0 -6 0\n", 2));
+  try {
+    readPicks(bad);
+    FAIL();
+  } catch (const ParseError& error) {
+    EXPECT_EQ(error.line(), 13U);
+  }
+  EXPECT_THROW(readPicks(folder.write("a.ply", asciiCloud("1 10.5 20 0 0 -5 255\n0 1 21 1 0\n", 2))), ParseError);
+}
+
+TEST(PlyReader, readsManyBinaryPicksWhateverTheThreads) {
+  const TempFolder folder;
+  TriangleMesh mesh;
+  for (int i = 0; i < 50000; ++i)
+    mesh.vertices.push_back({460000.125 + i, 5933000.1 * (i + 1), -0.1 * i});
+  mesh.normals.assign(mesh.vertices.size(), Vector3::UnitX());
+  mesh.piece.assign(mesh.vertices.size(), 3);
+  mesh.triangles = {{0, 1, 49999}};
+  writeMesh(folder.path("a.ply"), mesh);
+  for (const unsigned threads : {1U, 3U}) {
+    ReadOptions options;
+    options.threads = threads;
+    const PickSet picks = readPicks(folder.path("a.ply"), options);
+    EXPECT_EQ(picks.points, mesh.vertices);
+    EXPECT_EQ(picks.normals, mesh.normals);
+  }
+  EXPECT_EQ(readMesh(folder.path("a.ply")).triangles, mesh.triangles);
+}
+
+TEST(PlyReader, readsBinaryFacesOfAnySizeAndRefusesWrongOnes) {
+  const TempFolder folder;
+  const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                             "element face 2\nproperty list uchar int vertex_indices\nend_header\n" + std::string(48, '\0');
+  const auto face = [](std::initializer_list<std::int32_t> corners) {
+    std::string bytes(1, static_cast<char>(corners.size()));
+    for (const std::int32_t c : corners)
+      bytes.append(reinterpret_cast<const char*>(&c), sizeof(c));
+    return bytes;
+  };
+  const auto read = [&](const std::string& faces) { return readMesh(folder.write("a.ply", header + faces)).triangles; };
+  EXPECT_EQ(read(face({0, 1, 2}) + face({1, 3, 2})), (std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}}));
+  EXPECT_EQ(read(face({0, 1, 3, 2}) + face({1, 3, 2})), (std::vector<Triangle>{{0, 1, 3}, {0, 3, 2}, {1, 3, 2}}));
+  EXPECT_THROW(read(face({0, 1, 2}) + face({1, 4, 2})), ParseError);
+  EXPECT_THROW(read(face({0, 1, 2}) + face({1, -1, 2})), ParseError);
+  EXPECT_THROW(read(face({0, 1, 2}) + face({1, 3, 2}).substr(0, 12)), ParseError);
+}
+
 TEST(PlyReader, readsBigEndianPointsWithNormals) {
   const TempFolder folder;
   std::string content =
