@@ -105,7 +105,7 @@ std::string asciiCloud(const std::string& body, int count) {
 TEST(PlyReader, readsAsciiPicksHoweverTheLinesAreBroken) {
   const TempFolder folder;
   const std::string lines = asciiCloud("1 10.5 20 0 0 -5 255\r\n0 1e3 21 1 0 -6 0\r\n", 2);
-  const std::string broken = asciiCloud("1 10.5 20 0 0\n-5 255 0 1e3 21 1 0 -6\n0", 2);
+  const std::string broken = asciiCloud("1 10.5 20 0 0 -5 255 0\n1e3 21 1 0 -6 0\n", 2);
   const std::string joined = asciiCloud("1 10.5 20 0 0 -5 255 0 1e3 21 1 0 -6 0\n", 2);
   for (const std::string& content : {lines, broken, joined}) {
     const PickSet picks = readPicks(folder.write("a.ply", content));
