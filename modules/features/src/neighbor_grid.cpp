@@ -113,15 +113,16 @@ bool visitRange(const NeighborGridData& data, const CellRange& range, std::size_
 /// Working memory of a query, kept by each thread.
 struct Candidates {
   std::vector<double> squared_distance;
-  std::vector<Index> index;
+  std::vector<std::uint32_t> position; ///< in the grid's order
   std::size_t count = 0;
 
   void makeRoomFor(std::size_t more) {
-    if (count + more > index.size()) {
-      index.resize(2 * (count + more) + 256);
-      squared_distance.resize(index.size());
+    if (count + more > position.size()) {
+      position.resize(2 * (count + more) + 256);
+      squared_distance.resize(position.size());
     }
   }
+  Neighbor neighbor(std::size_t i, const detail::OrderedPoints& points) const { return {points.indexOf(position[i]), squared_distance[i]}; }
 };
 thread_local Candidates thread_candidates;
 
@@ -129,18 +130,21 @@ thread_local Candidates thread_candidates;
 bool gather(const NeighborGridData& data, const Vector3& query, double limit, std::size_t budget,
             Candidates& out) {
   const CellRange range(data.lattice, query, std::sqrt(limit));
+  const double x = query.x(), y = query.y(), z = query.z();
   out.count = 0;
   if (range.blocks() > MAX_BLOCKS)
     return false;
   return visitRange(data, range, budget, [&](std::size_t first, std::size_t end) {
     out.makeRoomFor(end - first);
     double* squared_distances = out.squared_distance.data();
-    Index* indices = out.index.data();
+    std::uint32_t* positions = out.position.data();
+    const Vector3* points = data.ordered.points;
     std::size_t count = out.count;
     for (std::size_t i = first; i < end; ++i) {
-      const double squared_distance = data.ordered.squaredDistance(i, query);
+      const double dx = points[i].x() - x, dy = points[i].y() - y, dz = points[i].z() - z;
+      const double squared_distance = dx * dx + dy * dy + dz * dz;
       squared_distances[count] = squared_distance;
-      indices[count] = data.ordered.indexOf(i);
+      positions[count] = static_cast<std::uint32_t>(i);
       count += squared_distance <= limit ? 1 : 0;
     }
     out.count = count;
@@ -178,7 +182,7 @@ void insertionSort(Neighbor* items, std::size_t count) {
 /// with the candidate's number in its last bits): a loop without branches that compilers vectorise.
 /// Insertion then puts right the few that float could not tell apart.
 template <std::size_t SLOTS>
-void rankSort(const Candidates& candidates, std::vector<Neighbor>& out) {
+void rankSort(const Candidates& candidates, const detail::OrderedPoints& points, std::size_t k, std::vector<Neighbor>& out) {
   std::array<std::int32_t, SLOTS> keys;
   keys.fill(std::numeric_limits<std::int32_t>::max());
   for (std::size_t i = 0; i < candidates.count; ++i) {
@@ -187,27 +191,34 @@ void rankSort(const Candidates& candidates, std::vector<Neighbor>& out) {
     std::memcpy(&bits, &distance, sizeof bits);
     keys[i] = (bits & ~static_cast<std::int32_t>(FEW - 1)) | static_cast<std::int32_t>(i);
   }
-  out.resize(candidates.count);
+  std::array<Neighbor, SLOTS> items;
   for (std::size_t i = 0; i < candidates.count; ++i) {
     std::int32_t rank = 0;
     for (const std::int32_t key : keys)
       rank += key < keys[i] ? 1 : 0;
-    out[static_cast<std::size_t>(rank)] = {candidates.index[i], candidates.squared_distance[i]};
+    items[static_cast<std::size_t>(rank)] = candidates.neighbor(i, points);
   }
-  insertionSort(out.data(), out.size());
+  insertionSort(items.data(), candidates.count);
+  out.assign(items.data(), items.data() + std::min(k, candidates.count));
 }
 
-/// The candidates, nearest first.
-void sorted(const Candidates& candidates, std::vector<Neighbor>& out) {
+/// The k nearest of the candidates, nearest first.
+void sorted(const Candidates& candidates, const detail::OrderedPoints& points, std::size_t k, std::vector<Neighbor>& out) {
   if (candidates.count <= 16)
-    return rankSort<16>(candidates, out);
+    return rankSort<16>(candidates, points, k, out);
+  if (candidates.count <= 24)
+    return rankSort<24>(candidates, points, k, out);
   if (candidates.count <= 32)
-    return rankSort<32>(candidates, out);
+    return rankSort<32>(candidates, points, k, out);
   if (candidates.count <= FEW)
-    return rankSort<FEW>(candidates, out);
+    return rankSort<FEW>(candidates, points, k, out);
   out.resize(candidates.count);
   for (std::size_t i = 0; i < candidates.count; ++i)
-    out[i] = {candidates.index[i], candidates.squared_distance[i]};
+    out[i] = candidates.neighbor(i, points);
+  if (k < out.size()) {
+    std::nth_element(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(k), out.end(), closer);
+    out.resize(k);
+  }
   std::sort(out.begin(), out.end(), closer);
 }
 
@@ -271,8 +282,7 @@ void NeighborGrid::nearest(const Vector3& query, std::size_t k, std::vector<Neig
   const double limit = max_distance * max_distance;
   Candidates& candidates = thread_candidates;
   if (k < size() && nearestInCells(*data_, query, k, limit, candidates)) {
-    sorted(candidates, out);
-    out.resize(std::min(out.size(), k));
+    sorted(candidates, data_->ordered, k, out);
   } else {
     data_->tree.nearest(data_->ordered, query, k, limit, out);
     std::sort(out.begin(), out.end(), closer);
@@ -286,7 +296,7 @@ void NeighborGrid::within(const Vector3& query, double radius, std::vector<Neigh
   const double limit = radius * radius;
   Candidates& candidates = thread_candidates;
   if (gather(*data_, query, limit, std::numeric_limits<std::size_t>::max(), candidates)) {
-    sorted(candidates, out);
+    sorted(candidates, data_->ordered, candidates.count, out);
   } else {
     data_->tree.visitWithin(data_->ordered, query, limit, [&](std::size_t i, double squared_distance) {
       out.push_back({data_->ordered.indexOf(i), squared_distance});

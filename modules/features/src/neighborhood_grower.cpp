@@ -26,6 +26,38 @@ NeighborhoodGrower::NeighborhoodGrower(const NeighborGrid& grid, const FaultNetw
     , squared_step_(step_ * step_)
     , max_distance_(noneIfZero(options.max_distance)) {}
 
+/// False if number \a i of those found repeats the place of an earlier one.
+bool NeighborhoodGrower::isFirstAtItsPlace(std::size_t i) const {
+  for (std::size_t other = i; other-- > 0 && found_[other].squared_distance == found_[i].squared_distance;)
+    if (points_[static_cast<std::size_t>(found_[other].index)] == points_[static_cast<std::size_t>(found_[i].index)])
+      return false;
+  return true;
+}
+
+/// The common case: the K nearest are all within a step of the pick itself and no fault is near. False if not so.
+bool NeighborhoodGrower::takeNearest(std::vector<Index>& neighbors) {
+  if (pick_ < 0)
+    return false;
+  grid_.nearest(place_, wanted_, found_, max_distance_);
+  if (found_.size() < wanted_ || found_.front().index != pick_ || !(found_.back().squared_distance < squared_step_))
+    return false;
+  if (!faults_.empty()) {
+    const Vector3 reach = Vector3::Constant(std::sqrt(found_.back().squared_distance));
+    Bounds box;
+    box.extend(place_ - reach);
+    box.extend(place_ + reach);
+    if (faults_.mayTouch(box))
+      return false;
+  }
+  neighbors.resize(wanted_);
+  for (std::size_t i = 0; i < wanted_; ++i) {
+    if (i > 0 && found_[i].squared_distance == found_[i - 1].squared_distance && !isFirstAtItsPlace(i))
+      return false;
+    neighbors[i] = found_[i].index;
+  }
+  return true;
+}
+
 /// Fills candidates_ from the \a count nearest points; false if that gives fewer than K - 1
 /// distinct ones although there may be more.
 bool NeighborhoodGrower::queryCandidates(std::size_t count) {
@@ -152,7 +184,7 @@ void NeighborhoodGrower::growFromHere(std::vector<Index>& neighbors) {
   neighbors.clear();
   if (!place_.allFinite())
     return;
-  if (queryCandidates(wanted_) && growInOrder(neighbors))
+  if (takeNearest(neighbors) || (queryCandidates(wanted_) && growInOrder(neighbors)))
     return;
   for (std::size_t factor = FIRST_FACTOR;; factor *= 3) {
     const bool enough = queryCandidates(factor * wanted_);

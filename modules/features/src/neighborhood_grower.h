@@ -25,6 +25,8 @@ private:
   };
 
   void growFromHere(std::vector<Index>& neighbors);
+  bool takeNearest(std::vector<Index>& neighbors);
+  bool isFirstAtItsPlace(std::size_t i) const;
   bool queryCandidates(std::size_t count);
   void start(std::vector<Index>& neighbors) const;
   bool growInOrder(std::vector<Index>& neighbors) const;

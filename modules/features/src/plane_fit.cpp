@@ -1,12 +1,46 @@
 #include "plane_fit.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
 
 namespace graben::detail {
 namespace {
 
 constexpr double LINE =
     1e-10; ///< ratio of the second to the largest eigenvalue below which points lie on a line
+
+/// The eigenvector of the least eigenvalue, where the points make a clear plane: that value is well below the others, which are alike within
+/// 1e-4. False if they do not; a general solver then knows what to do.
+bool leastEigenvector(const Eigen::Matrix3d& m, Vector3& vector, double& least, double& sum) {
+  const double a = m(0, 0), b = m(1, 1), c = m(2, 2), d = m(1, 0), e = m(2, 0), f = m(2, 1);
+  const double minors = a * b - d * d + a * c - e * e + b * c - f * f;
+  const double determinant = a * (b * c - f * f) - d * (d * c - f * e) + e * (d * f - b * e);
+  sum = a + b + c;
+  if (!(minors > 2e-4 * sum * sum)) // the product of the others over their squared sum
+    return false;
+  // Newton's steps from 0 grow towards the least root of the characteristic polynomial and never beyond it.
+  least = 0.0;
+  for (int step = 0; step < 8; ++step) {
+    const double value = determinant - least * (minors - least * (sum - least));
+    const double slope = minors - least * (2.0 * sum - 3.0 * least);
+    const double change = value / slope;
+    least += change;
+    if (std::abs(change) <= 1e-16 * sum)
+      break;
+  }
+  if (!(8.0 * least < sum) || !(least > -1e-12 * sum))
+    return false;
+  const Vector3 x(a - least, d, e), y(d, b - least, f), z(e, f, c - least);
+  const Vector3 xy = x.cross(y), xz = x.cross(z), yz = y.cross(z);
+  const double xy2 = xy.squaredNorm(), xz2 = xz.squaredNorm(), yz2 = yz.squaredNorm();
+  const double most = std::max({xy2, xz2, yz2});
+  vector = most == xy2 ? xy : most == xz2 ? xz : yz;
+  vector /= std::sqrt(most);
+  return most > 1e-8 * sum * sum * sum * sum;
+}
 
 } // namespace
 
@@ -32,6 +66,10 @@ Scatter scatterOf(const Points& points, const std::vector<Index>& indices) {
 }
 
 std::optional<FittedPlane> fitPlane(const Scatter& scatter, const Eigen::Matrix3d* pull) {
+  Vector3 quick;
+  double least = 0.0, all_values = 0.0;
+  if (pull == nullptr && leastEigenvector(scatter.sum, quick, least, all_values))
+    return FittedPlane{scatter.centre, quick, std::max(0.0, least) / all_values};
   const Eigen::Matrix3d matrix = pull == nullptr ? scatter.sum : Eigen::Matrix3d(scatter.sum + *pull);
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(matrix);

@@ -2,6 +2,7 @@
 #include "graben/core/errors.h"
 #include "graben/features/tangent_planes.h"
 
+#include <Eigen/Eigenvalues>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -182,6 +183,73 @@ TEST(TangentPlanes, ReachIsTheDistanceToTheFarthestNeighbour) {
     for (const Index n : neighbors)
       farthest = std::max(farthest, (fold.points[static_cast<std::size_t>(n)] - fold.points[i]).norm());
     ASSERT_FLOAT_EQ(planes.reach[i], static_cast<float>(farthest));
+  }
+}
+
+/// The normal and the curvature by Eigen's iterative solver.
+void expectAsBySolver(const Points& points, const NeighborGrid& grid, const TangentPlanes& planes, const TangentPlaneOptions& options) {
+  std::vector<Index> neighbors;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    growNeighborhood(grid, {}, static_cast<Index>(i), options, neighbors);
+    Vector3 mean = Vector3::Zero();
+    for (const Index n : neighbors)
+      mean += points[static_cast<std::size_t>(n)] / static_cast<double>(neighbors.size());
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for (const Index n : neighbors)
+      scatter += (points[static_cast<std::size_t>(n)] - mean) * (points[static_cast<std::size_t>(n)] - mean).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
+    const double gap = (solver.eigenvalues()[1] - solver.eigenvalues()[0]) / solver.eigenvalues()[2];
+    ASSERT_LT(test::lineAngle(planes.normals[i], solver.eigenvectors().col(0)), 1e-11 / gap);
+    ASSERT_NEAR(planes.curvature[i], solver.eigenvalues()[0] / solver.eigenvalues().sum(), 1e-7);
+    ASSERT_LT((planes.centres[i] - mean).norm(), 1e-9);
+  }
+}
+
+TEST(TangentPlanes, AsByAnIterativeSolverFromThinToThick) {
+  TangentPlaneOptions options;
+  for (const double noise : {0.0, 1e-6, 1.0, 10.0, 30.0, 300.0}) {
+    const Points points = test::wavySheet(1000, 1000.0, noise);
+    const NeighborGrid grid(points);
+    expectAsBySolver(points, grid, estimateTangentPlanes(grid, {}, options), options);
+    Points strip = points; // neighbours nearly on a line
+    for (Vector3& p : strip)
+      p.y() *= 0.001;
+    const NeighborGrid strip_grid(strip);
+    expectAsBySolver(strip, strip_grid, estimateTangentPlanes(strip_grid, {}, options), options);
+  }
+}
+
+/// The paper's rule word by word: time after time the nearest point to the pick that is a step from the neighbours and in no place of theirs.
+std::vector<Index> grownByTheRule(const Points& points, Index pick, const TangentPlaneOptions& options) {
+  std::vector<Index> neighbors = {pick};
+  const auto at = [&](Index i) { return points[static_cast<std::size_t>(i)]; };
+  while (neighbors.size() < options.neighbors) {
+    Index best = -1;
+    for (Index q = 0; q < static_cast<Index>(points.size()); ++q) {
+      double step = std::numeric_limits<double>::infinity();
+      for (const Index n : neighbors)
+        step = std::min(step, (at(n) - at(q)).norm());
+      const bool joins = step > 0.0 && step < options.rho_plus_delta;
+      if (joins && (best < 0 || (at(q) - at(pick)).squaredNorm() < (at(best) - at(pick)).squaredNorm()))
+        best = q;
+    }
+    if (best < 0)
+      break;
+    neighbors.push_back(best);
+  }
+  return neighbors;
+}
+
+TEST(TangentPlanes, NeighboursByThePaperRuleWordByWord) {
+  Points points = test::wavySheet(1500, 1000.0, 1.0);
+  points.insert(points.end(), points.begin(), points.begin() + 50); // some picks twice
+  const NeighborGrid grid(points);
+  TangentPlaneOptions options;
+  options.rho_plus_delta = 60.0; // about half of the picks have all their neighbours within it
+  std::vector<Index> neighbors;
+  for (Index i = 0; i < 100; ++i) {
+    growNeighborhood(grid, {}, i, options, neighbors);
+    ASSERT_EQ(neighbors, grownByTheRule(points, i, options));
   }
 }
 
