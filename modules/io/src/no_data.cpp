@@ -3,6 +3,7 @@
 #include "graben/core/threads.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -33,13 +34,29 @@ enum class Kind { Point, Terminator, NoData };
 struct Survey {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
-  bool clean = true; ///< every row is a point beyond doubt
 };
 
 Kind basicKind(const Vector3& p, bool terminators) {
   if (terminators && isLineEnd(p))
     return Kind::Terminator;
   return isFinitePoint(p) && !isNull(p.z()) ? Kind::Point : Kind::NoData;
+}
+
+/// True if every row is a point beyond doubt, as nearly always; false also for a few that are.
+bool isClean(const Points& points, unsigned threads) {
+  std::atomic<bool> clean{true};
+  parallelBlocks(points.size(), 1 << 16, threads, [&](std::size_t begin, std::size_t end) {
+    int odd = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vector3& p = points[i];
+      const double z = std::abs(p.z());
+      const int far = (std::abs(p.x()) < 1e29 ? 0 : 1) | (std::abs(p.y()) < 1e29 ? 0 : 1) | (z < 1e29 ? 0 : 1);
+      odd |= far | (z == 999.25 ? 1 : 0) | (z == 999.0 ? 1 : 0) | (z == 9999.0 ? 1 : 0) | (z == 99999.0 ? 1 : 0);
+    }
+    if (odd != 0)
+      clean = false;
+  });
+  return clean;
 }
 
 Survey survey(const Points& points, bool terminators, unsigned threads) {
@@ -49,12 +66,10 @@ Survey survey(const Points& points, bool terminators, unsigned threads) {
     Survey part;
     for (std::size_t i = begin; i < end; ++i) {
       const double z = points[i].z();
-      if (basicKind(points[i], terminators) != Kind::Point || isDoubtful(z)) {
-        part.clean = false;
-      } else {
-        part.low = std::min(part.low, z);
-        part.high = std::max(part.high, z);
-      }
+      if (basicKind(points[i], terminators) != Kind::Point || isDoubtful(z))
+        continue;
+      part.low = std::min(part.low, z);
+      part.high = std::max(part.high, z);
     }
     parts[begin / grain] = part;
   });
@@ -62,7 +77,6 @@ Survey survey(const Points& points, bool terminators, unsigned threads) {
   for (const Survey& part : parts) {
     all.low = std::min(all.low, part.low);
     all.high = std::max(all.high, part.high);
-    all.clean &= part.clean;
   }
   return all;
 }
@@ -87,9 +101,9 @@ bool isTerminator(const Vector3& point) {
 }
 
 void dropNoData(PickSet& picks, bool terminators, unsigned threads) {
-  const Survey found = survey(picks.points, terminators, threads);
-  if (found.clean)
+  if (isClean(picks.points, threads))
     return;
+  const Survey found = survey(picks.points, terminators, threads);
   std::size_t kept = 0;
   std::size_t ends = 0;
   std::size_t no_data = 0;

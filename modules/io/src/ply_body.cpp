@@ -81,7 +81,8 @@ std::string_view PlyBody::lines(std::uint64_t count) const {
 
 void PlyBody::pass(std::string_view lines) {
   at_ += lines.size();
-  line_ += static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
+  if (at_ < bytes_.size())
+    line_ += static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n'));
 }
 
 } // namespace graben

@@ -185,7 +185,8 @@ bool PlyReader::readTextVertices(const PlyElement& element, const std::vector<Ta
       six.columns[3 + component] = static_cast<int>(p);
   }
   six.columns_in_row = three.columns_in_row = targets.size();
-  const std::string_view lines = body_.lines(element.count);
+  const bool last = &element == &header_.elements.back();
+  const std::string_view lines = last ? body_.rest() : body_.lines(element.count);
   const TableSource source = tableSource(lines, header_.body_line, *picks_);
   PickSet picks;
   bool whole = false;

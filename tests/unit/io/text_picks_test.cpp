@@ -103,6 +103,12 @@ TEST(TextPicks, takesDoubtfulNullsForDataOnlyAmongLikeValues) {
   EXPECT_EQ(read("1 1 1800\n2 2 -999\n3 3 1810\n").points.size(), 2U);
 }
 
+TEST(TextPicks, dropsEachNullValueOnItsOwn) {
+  for (const char* row : {"1 1 1e30", "1 1 -1e31", "1 1 999.25", "1 1 -999.25", "1 1 -99999", "1 1 -9999", "1 1 -999", "1 1 nan", "1e30 1 1",
+                          "1 -inf 1", "999 999 999"})
+    EXPECT_EQ(read(std::string("1.5 2.5 3.5\n") + row + "\n4 5 6\n7 8 9\n").points, three) << row;
+}
+
 TEST(TextPicks, emptyFieldsAreNoDataAndDoNotShiftColumns) {
   const PickSet picks = read("x,y,z,q\n1.5,2.5,3.5,1\n4,5,,6\n4,5,6,\n7,8,9,1\n");
   EXPECT_EQ(picks.points, three);
