@@ -18,25 +18,32 @@ void NearbyPicks::gather(const FieldData& data, const Vector3& centre, double ra
   state_ = across * across > kMost ? State::TooMany : State::Gathered;
   if (state_ == State::TooMany)
     return;
-  data.grid.within(centre, radius, found_);
-  if (found_.size() > 2 * kMost) {
+  data.grid.runsAround(centre, radius, runs_);
+  std::size_t most = 0;
+  for (const PointRun& run : runs_)
+    most += run.count;
+  for (std::vector<double>* values : {&x_, &y_, &z_})
+    values->resize(std::max(most, values->size()));
+  index_.resize(most);
+  Bounds box = viewpoints;
+  const double limit = radius * radius;
+  std::size_t count = 0;
+  for (const PointRun& run : runs_)
+    for (std::size_t i = 0; i < run.count; ++i) {
+      const Vector3& p = run.points[i];
+      const Index index = run.index(i);
+      if (!((p - centre).squaredNorm() <= limit) || data.planes.normals[static_cast<std::size_t>(index)].x() != data.planes.normals[static_cast<std::size_t>(index)].x())
+        continue;
+      box.extend(p);
+      x_[count] = p.x();
+      y_[count] = p.y();
+      z_[count] = p.z();
+      index_[count++] = index;
+    }
+  index_.resize(count);
+  if (count > 2 * kMost) {
     state_ = State::TooMany;
     return;
-  }
-  for (std::vector<double>* values : {&x_, &y_, &z_})
-    values->clear();
-  index_.clear();
-  Bounds box = viewpoints;
-  for (const Neighbor& c : found_) {
-    const auto i = static_cast<std::size_t>(c.index);
-    if (data.planes.normals[i].x() != data.planes.normals[i].x())
-      continue;
-    const Vector3& p = data.grid.points()[i];
-    box.extend(p);
-    x_.push_back(p.x());
-    y_.push_back(p.y());
-    z_.push_back(p.z());
-    index_.push_back(c.index);
   }
   faults_ = LocalFaults(data.faults, data.borders, box);
   sides_.assign(index_.size(), 0);

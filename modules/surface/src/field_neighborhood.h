@@ -40,7 +40,7 @@ private:
   double radius_ = 0.0;
   LocalFaults faults_;
   std::vector<double> x_, y_, z_;
-  std::vector<Neighbor> found_;
+  std::vector<PointRun> runs_;
   std::vector<Index> index_;
   std::vector<int> sides_;
   std::vector<double> squared_;         ///< distances of all picks in the question at hand
