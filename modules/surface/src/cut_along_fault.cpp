@@ -269,7 +269,7 @@ private:
     const Index c = v[(e + 2) % 3];
     if (on(c)) {
       cut(x[e], c);
-    } else if (const auto tip = tipIn(v)) {
+    } else if (const auto tip = tipIn(v); tip && (*tip - mesh_.vertices[static_cast<std::size_t>(x[e])]).norm() > tolerance_) {
       const Index end = addVertex(*tip, {a, b, c}, {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0});
       cut(x[e], end);
       replace(t, {{a, x[e], end}, {x[e], b, end}, {b, c, end}, {c, a, end}});

@@ -1,6 +1,7 @@
 #include "sheet_cells.h"
 
-#include "graben/core/errors.h"
+#include "occupied_cells.h"
+
 #include "graben/core/threads.h"
 
 #include <algorithm>
@@ -8,25 +9,6 @@
 namespace graben {
 
 namespace {
-
-struct KeyedMask {
-  std::uint64_t key;
-  BlockMask mask;
-  bool operator<(const KeyedMask& o) const { return key < o.key; }
-};
-
-/// Sorts by key and joins the masks of equal keys.
-void joinEqual(std::vector<KeyedMask>& entries) {
-  std::sort(entries.begin(), entries.end());
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (kept > 0 && entries[kept - 1].key == entries[i].key)
-      entries[kept - 1].mask |= entries[i].mask;
-    else
-      entries[kept++] = entries[i];
-  }
-  entries.resize(kept);
-}
 
 /// The surface in the whole cells of a block, and the cells through each of whose faces it passes on (see cube::kFace).
 struct Passages {
@@ -86,35 +68,13 @@ void SheetCells::grow() {
 }
 
 void SheetCells::seed() {
-  constexpr std::size_t grain = 8192;
-  const std::vector<Index>& order = field_.grid().order();
   const TangentPlanes& planes = field_.planes();
-  const double limit = kLatticeLimit * lattice_.voxel_size;
-  std::vector<std::vector<KeyedMask>> found((order.size() + grain - 1) / grain);
-  parallelBlocks(order.size(), grain, options_.threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<KeyedMask>& entries = found[begin / grain];
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto p = static_cast<std::size_t>(order[i]);
-      // A lattice vertex on the surface counts as outside, so where the surface runs along the lattice it belongs to the cells behind it.
-      const Vector3 centre = planes.centres[p] + (options_.iso_level - 1e-6 * lattice_.voxel_size) * planes.normals[p];
-      if (!centre.allFinite())
-        continue;
-      if ((centre - lattice_.origin).cwiseAbs().maxCoeff() > limit)
-        throw ResourceError("marching cubes", "the data are more than " + std::to_string(kLatticeLimit) +
-                                                " voxels across; use a larger voxel size or remove far outliers");
-      const LatticeIndex cell = lattice_.cellOf(centre);
-      const std::uint64_t key = latticeKey(block::blockOf(cell));
-      if (entries.empty() || entries.back().key != key)
-        entries.push_back({key, 0});
-      entries.back().mask |= block::bit(block::slotOf(cell));
-    }
-    joinEqual(entries);
-  });
-  std::vector<KeyedMask> all;
-  for (std::vector<KeyedMask>& entries : found)
-    all.insert(all.end(), entries.begin(), entries.end());
-  joinEqual(all);
-  for (const KeyedMask& entry : all)
+  const auto place = [&](Index pick) {
+    const auto p = static_cast<std::size_t>(pick);
+    // A lattice vertex on the surface counts as outside, so where the surface runs along the lattice it belongs to the cells behind it.
+    return Vector3(planes.centres[p] + (options_.iso_level - 1e-6 * lattice_.voxel_size) * planes.normals[p]);
+  };
+  for (const KeyedMask& entry : occupiedCells(field_.grid().order(), place, lattice_, options_.threads))
     frontier_.add(blocks_.make(latticeIndexOf(entry.key)), entry.mask);
 }
 
@@ -292,15 +252,9 @@ void SheetCells::keepCrossed(const std::vector<SheetCell>& copies) {
 }
 
 void SheetCells::checkMemory() const {
-  if (options_.memory_limit == 0)
-    return;
-  const std::size_t bytes = blocks_.size() * (sizeof(LatticeBlock) + 64 * 40) + ghosts().size() * 200;
-  if (bytes <= options_.memory_limit)
-    return;
-  const double factor = 1.2 * std::sqrt(static_cast<double>(bytes) / static_cast<double>(options_.memory_limit));
-  throw ResourceError("marching cubes", "the surface at voxel size " + std::to_string(lattice_.voxel_size) +
-                                          " does not fit into memory; a voxel size of " +
-                                          std::to_string(lattice_.voxel_size * std::max(2.0, factor)) + " would");
+  const std::size_t bytes = blocks_.size() * kBytesOfBlock + ghosts().size() * 200;
+  if (options_.memory_limit > 0 && bytes > options_.memory_limit)
+    refuseVoxelSize(lattice_.voxel_size, 4.0 * static_cast<double>(bytes) / static_cast<double>(options_.memory_limit), 0.0); // and growing
 }
 
 } // namespace graben

@@ -153,6 +153,7 @@ private:
 SheetMesh extractSheets(const SignedDistance& field, const ExtractionOptions& options) {
   if (!(options.lattice.voxel_size > 0.0) || !std::isfinite(options.lattice.voxel_size))
     throw InvalidInputError("marching cubes", "the voxel size must be a positive number");
+  checkVoxelSize(field.grid(), options.lattice, field.options().rho_plus_delta, options.memory_limit, options.threads);
   SheetCells cells(field, options);
   cells.grow();
   SheetMesh out = Triangulator(cells, field, options).run();

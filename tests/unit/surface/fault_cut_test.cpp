@@ -1,6 +1,7 @@
 #include "shapes.h"
 
 #include "graben/analysis/bridges.h"
+#include "graben/mesh/normals.h"
 #include "graben/surface/crumbs.h"
 #include "graben/surface/fault_cut.h"
 
@@ -103,6 +104,21 @@ TEST(FaultCut, EndsBetweenACornerOnTheFaultAndTheOppositeEdge) {
   for (const auto& place : standing(cut))
     farthest = std::max(farthest, place.first[0]);
   EXPECT_NEAR(farthest, tip.x(), 1e-9);
+}
+
+TEST(FaultCut, ATipOnACutEdgeEndsTheCutThereAndLeavesNoEmptyTriangle) {
+  const TriangleMesh before = test::flatGrid(30, 1.0);
+  for (const double x : {2.5, 2.3, 2.75}) {
+    const FaultNetwork faults({wall("short", {2.1, -20.0, 0.0}, {x, 1.0, 0.0})});
+    const CutMesh cut = cutAlongFaults(before, faults, {});
+    expectExact(cut, before, faults);
+    for (const Triangle& t : cut.mesh.triangles)
+      ASSERT_GT(areaNormal(cut.mesh, t).norm(), 1e-3);
+    double farthest = 0.0;
+    for (const auto& place : standing(cut))
+      farthest = std::max(farthest, place.first[1]);
+    EXPECT_NEAR(farthest, 1.0, 1e-9) << "the cut reaches the tip";
+  }
 }
 
 TEST(FaultCut, ABranchMakesThreePiecesThatMeetOnItsLine) {

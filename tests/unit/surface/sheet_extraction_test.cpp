@@ -272,6 +272,30 @@ TEST(SheetExtraction, ImpossibleSizesAreRefused) {
   EXPECT_THROW(extract(o, setup), ResourceError);
 }
 
+TEST(SheetExtraction, AVoxelSizeThatDoesNotFitIsRefusedAtOnceAndTheOneNamedInsteadFits) {
+  const test::Oriented o = test::sheet(12.0, 0.7, [](double x, double) { return 0.2 * std::sin(x); });
+  for (const auto& [voxel_size, limit] : {std::pair{1e-7, 0.0}, {0.002, 1e9}, {0.3, 2e6}}) {
+    Extraction setup;
+    setup.voxel_size = voxel_size;
+    setup.extraction.memory_limit = static_cast<std::size_t>(limit);
+    std::string message;
+    try {
+      extract(o, setup); // would run for hours if it were not refused
+    } catch (const ResourceError& error) {
+      message = error.what();
+    }
+    const std::string before = "a voxel size of ";
+    ASSERT_NE(message.find(before), std::string::npos) << voxel_size << message;
+    setup.voxel_size = std::stod(message.substr(message.find(before) + before.size()));
+    EXPECT_GT(setup.voxel_size, voxel_size);
+    if (limit > 0.0 && limit < 1e8)
+      EXPECT_GT(extract(o, setup).mesh.triangles.size(), 100U);
+    else
+      EXPECT_NO_THROW(checkVoxelSize(NeighborGrid(o.points), {setup.voxel_size, Vector3::Zero()}, setup.rho_plus_delta,
+                                     setup.extraction.memory_limit));
+  }
+}
+
 TEST(SheetExtraction, ThreadsMakeNoDifference) {
   const FaultNetwork faults({test::dippingFault(-30.0, 4.0, 20.0)});
   Extraction setup;

@@ -18,6 +18,14 @@ struct ExtractionOptions {
   ProgressCallback progress;
 };
 
+/// Refuses a voxel size that the extraction could not do with, from the places of the picks alone: before anything is computed or allocated.
+/// \param[in] reach how far the surface goes from the picks (SignedDistanceOptions::rho_plus_delta)
+/// \param[in] memory_limit bytes the extraction may take; 0: no limit
+/// \throw ResourceError if the lattice would be too large for its index range or the memory limit; the message names a voxel size that fits.
+///        Cells are estimated from the places that hold picks, at the low end: a job that fits is not refused, and one that does not may be refused later
+/// O(picks), and less where it is plain that the job fits.
+void checkVoxelSize(const NeighborGrid& grid, const Lattice& lattice, double reach, std::size_t memory_limit, unsigned threads = 0);
+
 /// The surface as sheets: in a cell that a fault crosses each side has a sheet of its own, carried on through the fault to the end of the cell.
 struct SheetMesh {
   TriangleMesh mesh;

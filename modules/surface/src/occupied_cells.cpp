@@ -1,0 +1,59 @@
+#include "occupied_cells.h"
+
+#include "graben/mesh/bounds.h"
+#include "graben/surface/sheet_extraction.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace graben {
+
+void joinEqual(std::vector<KeyedMask>& entries) {
+  std::sort(entries.begin(), entries.end(), [](const KeyedMask& a, const KeyedMask& b) { return a.key < b.key; });
+  std::size_t kept = 0;
+  for (const KeyedMask& entry : entries) {
+    if (kept > 0 && entries[kept - 1].key == entry.key)
+      entries[kept - 1].mask |= entry.mask;
+    else
+      entries[kept++] = entry;
+  }
+  entries.resize(kept);
+}
+
+void refuseVoxelSize(double voxel_size, double excess, double least) {
+  const double fits = 1.2 * std::max(least, voxel_size * std::sqrt(excess));
+  std::ostringstream message;
+  message.precision(3);
+  message << "the surface at voxel size " << voxel_size;
+  if (excess > 1.0)
+    message << " does not fit into memory; a voxel size of " << fits << " would";
+  else
+    message << " has more than " << kLatticeLimit << " voxels to a side; a voxel size of " << fits << " would do, or leave out picks far from all others";
+  throw ResourceError("marching cubes", message.str());
+}
+
+void checkVoxelSize(const NeighborGrid& grid, const Lattice& lattice, double reach, std::size_t memory_limit, unsigned threads) {
+  const Bounds box = boundsOf(grid.points());
+  if (box.empty())
+    return;
+  const double h = lattice.voxel_size;
+  const double far = std::max((box.low - lattice.origin).cwiseAbs().maxCoeff(), (box.high - lattice.origin).cwiseAbs().maxCoeff());
+  const double least = far / kLatticeLimit;
+  // The surface goes on from the picks by the reach: what it takes at most, and then at least, in cells of that size.
+  Lattice coarse = lattice;
+  coarse.voxel_size = std::max({reach, h, 4.0 * least});
+  const double each = std::pow(coarse.voxel_size / h, 2.0) * kBytesOfBlock / 16.0;
+  const auto limit = static_cast<double>(memory_limit);
+  double excess = 0.0;
+  if (memory_limit > 0 && 9.0 * static_cast<double>(grid.size()) * each > limit) {
+    const Points& points = grid.points();
+    double cells = 0.0;
+    for (const KeyedMask& entry : occupiedCells(grid.order(), [&](Index p) { return points[static_cast<std::size_t>(p)]; }, coarse, threads))
+      cells += block::count(entry.mask);
+    excess = 0.4 * cells * each / limit;
+  }
+  if (excess > 1.0 || least > h)
+    refuseVoxelSize(h, excess, least);
+}
+
+} // namespace graben

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "lattice_blocks.h"
+
+#include "graben/core/errors.h"
+#include "graben/core/threads.h"
+
+#include <algorithm>
+
+namespace graben {
+
+/// Cells of one block.
+struct KeyedMask {
+  std::uint64_t key; ///< latticeKey of the block
+  BlockMask mask;
+};
+
+/// Sorts by key and joins the masks of equal keys.
+void joinEqual(std::vector<KeyedMask>& entries);
+
+/// What the extraction takes for a block of the lattice, its part of the mesh included, on an ordinary surface.
+constexpr std::size_t kBytesOfBlock = sizeof(LatticeBlock) + 2500;
+
+/// \param[in] excess memory needed over memory there is \param[in] least a voxel size that the index range asks for
+[[noreturn]] void refuseVoxelSize(double voxel_size, double excess, double least);
+
+/// The cells that hold place(pick) of a pick, in order of their keys; places that are not finite are left out.
+/// \throw ResourceError if a place is beyond the lattice's index range
+template <typename Place>
+std::vector<KeyedMask> occupiedCells(const std::vector<Index>& picks, const Place& place, const Lattice& lattice, unsigned threads) {
+  constexpr std::size_t grain = 8192;
+  const double limit = kLatticeLimit * lattice.voxel_size;
+  std::vector<std::vector<KeyedMask>> found((picks.size() + grain - 1) / grain);
+  parallelBlocks(picks.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<KeyedMask>& entries = found[begin / grain];
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vector3 p = place(picks[i]);
+      if (!p.allFinite())
+        continue;
+      const double far = (p - lattice.origin).cwiseAbs().maxCoeff();
+      if (far > limit)
+        refuseVoxelSize(lattice.voxel_size, 0.0, far / kLatticeLimit);
+      const LatticeIndex cell = lattice.cellOf(p);
+      const std::uint64_t key = latticeKey(block::blockOf(cell));
+      if (entries.empty() || entries.back().key != key)
+        entries.push_back({key, 0});
+      entries.back().mask |= block::bit(block::slotOf(cell));
+    }
+    joinEqual(entries);
+  });
+  std::vector<KeyedMask> all;
+  for (std::vector<KeyedMask>& entries : found) {
+    all.insert(all.end(), entries.begin(), entries.end());
+    entries = {};
+  }
+  joinEqual(all);
+  return all;
+}
+
+} // namespace graben
