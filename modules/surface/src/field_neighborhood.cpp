@@ -32,7 +32,10 @@ void NearbyPicks::gather(const FieldData& data, const Vector3& centre, double ra
     for (std::size_t i = 0; i < run.count; ++i) {
       const Vector3& p = run.points[i];
       const Index index = run.index(i);
-      if (!((p - centre).squaredNorm() <= limit) || data.planes.normals[static_cast<std::size_t>(index)].x() != data.planes.normals[static_cast<std::size_t>(index)].x())
+      if (!((p - centre).squaredNorm() <= limit))
+        continue;
+      const Vector3& normal = data.planes.normals[static_cast<std::size_t>(index)];
+      if (normal.x() != normal.x())
         continue;
       box.extend(p);
       x_[count] = p.x();
