@@ -194,7 +194,7 @@ private:
         if (!own.valid)
           own = support.consensusPlane(viewpoint);
       }
-      if (!own.valid || agrees(own))
+      if (own.valid && agrees(own))
         return true;
     }
     return false;

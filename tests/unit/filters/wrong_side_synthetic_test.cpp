@@ -58,6 +58,16 @@ TEST(WrongSideSynthetic, FindsTheFewBesideAFaultThatIsHardlyOff) {
   EXPECT_EQ(finding.falsely, 0U);
 }
 
+TEST(WrongSideSynthetic, FindsPicksThatStandAloneBeyondALargeThrow) {
+  SyntheticOptions options = optionsOf(SyntheticKind::Reverse);
+  options.max_throw = 20.0 * options.spacing();
+  options.noise = 10.0;
+  const test::Finding finding = search(options);
+  EXPECT_GT(finding.wrong, 10U);
+  EXPECT_GE(100 * finding.found, 80 * finding.wrong);
+  EXPECT_EQ(finding.falsely, 0U);
+}
+
 TEST(WrongSideSynthetic, FollowsAWideStripOfWrongPicksDownToTheFault) {
   SyntheticOptions options = SyntheticOptions::of(SyntheticKind::Listric);
   options.fault_shift = -100.0;

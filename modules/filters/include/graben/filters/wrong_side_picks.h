@@ -49,7 +49,8 @@ struct WrongSideResult {
 /// Works from far to near: a pick is accepted if it agrees with a robust plane through the nearest
 /// accepted picks that no fault hides from it. One that does not is flagged only if it agrees with
 /// the surface continued from the other side of a single fault within the band (WrongSide), or lies
-/// between the two (Smeared); else it is good but no other pick is judged by it. In wedges that
+/// between the two (Smeared); else it is good but no other pick is judged by it. The same holds
+/// for a pick with nothing around it on its side to agree with, as beyond a large throw. In wedges that
 /// hold no trusted picks those farthest from the faults are judged by the majority around them.
 /// Points that are not finite, and picks beside a fault (nearest to its border), are never flagged.
 /// Deterministic, the same for any number of threads. O(n) to find the picks in the band, then some
