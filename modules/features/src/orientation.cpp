@@ -2,8 +2,7 @@
 
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
-#include "neighbor_graph.h"
-#include "signed_union_find.h"
+#include "spanning_signs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,10 +38,6 @@ void check(const NeighborGrid& grid, const OrientationOptions& options, const Po
     throw InvalidInputError(stage, "rho + delta must be 0 (no limit) or positive.");
   if (options.neighbors == 0)
     throw InvalidInputError(stage, "The spanning tree needs one neighbour or more for each pick.");
-  if (static_cast<double>(grid.size()) * static_cast<double>(options.neighbors) >
-      std::numeric_limits<Index>::max())
-    throw InvalidInputError(stage, "The spanning tree has more edges than a 32-bit index counts; "
-                                   "ask for fewer neighbours or orient by the up axis.");
 }
 
 /// True if turning every normal up gives what the spanning tree would; see orientNormals().
@@ -98,46 +93,46 @@ void turnUp(const OrientationOptions& options, Points& normals) {
 
 OrientationResult orientBySpanningTree(const NeighborGrid& grid, const FaultNetwork& faults,
                                        const OrientationOptions& options, Points& normals) {
-  const std::vector<Index>& order = grid.order();
-  const auto normalOf = [&](Index node) -> Vector3& {
-    return normals[static_cast<std::size_t>(order[static_cast<std::size_t>(node)])];
-  };
-  detail::SignedUnionFind sets(order.size());
-  for (const auto& edge : detail::NeighborGraph(grid, faults, options, normals).sortedEdges())
-    sets.join(edge.from, edge.to, edge.against);
-
-  OrientationResult result;
-  result.of_pick.assign(normals.size(), -1);
-  std::vector<Index> label(order.size(), -1);
+  const detail::NeighborGraph graph(grid, faults, options, normals);
+  detail::SignedUnionFind sets = detail::spanningSigns(graph, options.threads);
+  std::vector<Index> label(graph.size(), -1); // of representatives
   std::vector<Component> components;
-  const Vector3 origin = order.empty() ? Vector3(Vector3::Zero())
-                                       : grid.points()[static_cast<std::size_t>(order.front())];
-  for (std::size_t node = 0; node < order.size(); ++node) {
-    Vector3& normal = normalOf(static_cast<Index>(node));
-    if (!normal.allFinite())
+  const Vector3 origin = grid.size() == 0 ? Vector3(Vector3::Zero()) : grid.points()[static_cast<std::size_t>(grid.order().front())];
+  const auto nodes = static_cast<Index>(graph.size());
+  for (Index node = 0; node < nodes; ++node) {
+    if (!graph.hasNormal(node))
       continue;
-    const auto [root, flipped] = sets.find(static_cast<Index>(node));
+    const auto [root, flipped] = sets.find(node);
     Index& component = label[static_cast<std::size_t>(root)];
     if (component < 0) {
       component = static_cast<Index>(components.size());
       components.emplace_back();
     }
+    const std::size_t pick = graph.pickOf(node);
     if (flipped)
-      normal = -normal;
-    const auto pick = static_cast<std::size_t>(order[node]);
+      normals[pick] = -normals[pick];
     const Vector3 point = grid.points()[pick] - origin;
     Component& sums = components[static_cast<std::size_t>(component)];
     sums.count += 1.0;
-    sums.normals += normal;
+    sums.normals += normals[pick];
     sums.points += point;
-    sums.outward += normal.dot(point);
-    result.of_pick[pick] = component;
+    sums.outward += normals[pick].dot(point);
   }
-  for (std::size_t i = 0; i < normals.size(); ++i)
-    if (result.of_pick[i] >= 0 &&
-        isWrongWay(components[static_cast<std::size_t>(result.of_pick[i])], options.up))
-      normals[i] = -normals[i];
-  result.components = components.size();
+  OrientationResult result;
+  if (options.components) {
+    result.components = components.size();
+    result.of_pick.assign(normals.size(), -1);
+  }
+  for (Index node = 0; node < nodes; ++node) {
+    if (!graph.hasNormal(node))
+      continue;
+    const Index component = label[static_cast<std::size_t>(sets.find(node).first)];
+    const std::size_t pick = graph.pickOf(node);
+    if (isWrongWay(components[static_cast<std::size_t>(component)], options.up))
+      normals[pick] = -normals[pick];
+    if (options.components)
+      result.of_pick[pick] = component;
+  }
   return result;
 }
 
@@ -154,8 +149,6 @@ OrientationResult orientNormals(const NeighborGrid& grid, const FaultNetwork& fa
     turnUp(options, normals);
   } else {
     result = orientBySpanningTree(grid, faults, options, normals);
-    if (!options.components)
-      result = {};
   }
   return result;
 }

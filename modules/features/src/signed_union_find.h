@@ -40,17 +40,25 @@ public:
   }
 
   /// Joins the sets of a and b so that one is flipped against the other, or not; nothing if they
-  /// are in one set already.
-  void join(Index a, Index b, bool against) {
+  /// are in one set already. Returns false if they are in one set otherwise.
+  bool join(Index a, Index b, bool against) {
     auto [root_a, flip_a] = find(a);
     auto [root_b, flip_b] = find(b);
     if (root_a == root_b)
-      return;
+      return (flip_a != flip_b) == against;
     if (size_[at(root_a)] < size_[at(root_b)])
       std::swap(root_a, root_b);
     parent_[at(root_b)] = root_a;
     flipped_[at(root_b)] = flip_a != flip_b ? !against : against;
     size_[at(root_a)] += size_[at(root_b)];
+    return true;
+  }
+
+  /// Makes i a set of its own again; all others of its set must be reset as well.
+  void reset(Index i) {
+    parent_[at(i)] = i;
+    flipped_[at(i)] = 0;
+    size_[at(i)] = 1;
   }
 
 private:

@@ -174,6 +174,62 @@ TEST(Orientation, TheTreeDecidesWhereANeighbourPointsToTheOtherSide) {
     ASSERT_GT(normals[i].dot(truth[i]), 0.0);
 }
 
+/// Kruskal's algorithm on the whole graph: the normals on the sides that the tree says, seen from the tree's first pick.
+Points orientedByKruskal(const NeighborGrid& grid, Points normals, std::size_t neighbors) {
+  struct Edge {
+    float weight;
+    Index from, to;
+  };
+  std::vector<Edge> edges;
+  std::vector<Neighbor> found;
+  const auto at = [](Index i) { return static_cast<std::size_t>(i); };
+  for (const Index from : grid.order()) {
+    grid.nearest(grid.points()[at(from)], neighbors + 1, found);
+    for (const Neighbor& to : found)
+      if (to.index != from)
+        edges.push_back({static_cast<float>(1.0 - std::abs(normals[at(from)].dot(normals[at(to.index)]))), from, to.index});
+  }
+  std::stable_sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.weight < b.weight; });
+  std::vector<std::vector<Index>> trees(normals.size()); // members, by representative
+  std::vector<Index> tree_of(normals.size());
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    trees[i] = {tree_of[i] = static_cast<Index>(i)};
+  for (const Edge& edge : edges) {
+    Index a = tree_of[at(edge.from)], b = tree_of[at(edge.to)];
+    if (a == b)
+      continue;
+    const bool against = normals[at(edge.from)].dot(normals[at(edge.to)]) < 0.0;
+    if (trees[at(a)].size() < trees[at(b)].size())
+      std::swap(a, b);
+    for (const Index i : trees[at(b)]) {
+      tree_of[at(i)] = a;
+      if (against)
+        normals[at(i)] = -normals[at(i)];
+      trees[at(a)].push_back(i);
+    }
+  }
+  return normals;
+}
+
+TEST(Orientation, WildNormalsAlongTheTree) {
+  const Points points = test::wavySheet(20000, 1000.0, 1.0);
+  const NeighborGrid grid(points);
+  Points normals;
+  test::Random random(11);
+  for (std::size_t i = 0; i < points.size(); ++i) // wild ones on one side, nearly parallel ones on the other
+    normals.push_back(Vector3(random.normal(1.0), random.normal(1.0), points[i].x() > 400.0 ? random.normal(1.0) : 20.0).normalized());
+  const Points expected = orientedByKruskal(grid, normals, OrientationOptions().neighbors);
+  for (const bool components : {false, true}) {
+    Points oriented = normals;
+    OrientationOptions options;
+    options.components = components;
+    EXPECT_EQ(orientNormals(grid, {}, options, oriented).components, components ? 1U : 0U);
+    const bool turned = oriented[0] != expected[0];
+    for (std::size_t i = 0; i < points.size(); ++i)
+      ASSERT_EQ(oriented[i], turned ? Vector3(-expected[i]) : expected[i]) << i;
+  }
+}
+
 TEST(Orientation, PicksWithoutNormalStayOut) {
   const Points points = test::wavySheet(1000, 1000.0, 1.0);
   const NeighborGrid grid(points);
