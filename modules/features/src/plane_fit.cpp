@@ -45,23 +45,29 @@ bool leastEigenvector(const Eigen::Matrix3d& m, Vector3& vector, double& least, 
 } // namespace
 
 Scatter scatterOf(const Points& points, const std::vector<Index>& indices) {
-  Scatter scatter;
-  const Vector3 origin = points[static_cast<std::size_t>(indices.front())];
-  Vector3 mean = Vector3::Zero();
-  for (const Index i : indices)
-    mean += points[static_cast<std::size_t>(i)] - origin;
-  mean /= static_cast<double>(indices.size());
-  Eigen::Matrix3d& sum = scatter.sum;
+  const Vector3 origin = points[static_cast<std::size_t>(indices.front())]; // near: little is lost in the differences of sums below
+  double x = 0.0, y = 0.0, z = 0.0, xx = 0.0, yx = 0.0, zx = 0.0, yy = 0.0, zy = 0.0, zz = 0.0, farthest = 0.0;
   for (const Index i : indices) {
-    const Vector3 d = points[static_cast<std::size_t>(i)] - origin - mean;
-    sum(0, 0) += d.x() * d.x();
-    sum(1, 0) += d.y() * d.x();
-    sum(2, 0) += d.z() * d.x();
-    sum(1, 1) += d.y() * d.y();
-    sum(2, 1) += d.z() * d.y();
-    sum(2, 2) += d.z() * d.z();
+    const Vector3& p = points[static_cast<std::size_t>(i)];
+    const double dx = p.x() - origin.x(), dy = p.y() - origin.y(), dz = p.z() - origin.z();
+    x += dx;
+    y += dy;
+    z += dz;
+    const double dx2 = dx * dx, dy2 = dy * dy, dz2 = dz * dz;
+    xx += dx2;
+    yy += dy2;
+    zz += dz2;
+    yx += dy * dx;
+    zx += dz * dx;
+    zy += dz * dy;
+    farthest = std::max(farthest, dx2 + dy2 + dz2);
   }
-  scatter.centre = origin + mean;
+  const double share = 1.0 / static_cast<double>(indices.size());
+  Scatter scatter;
+  scatter.centre = origin + share * Vector3(x, y, z);
+  scatter.sum << xx - share * x * x, 0.0, 0.0, yx - share * y * x, yy - share * y * y, 0.0, zx - share * z * x, zy - share * z * y,
+      zz - share * z * z;
+  scatter.farthest = farthest;
   return scatter;
 }
 

@@ -16,6 +16,7 @@ struct FittedPlane {
 struct Scatter {
   Vector3 centre = Vector3::Zero();
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero(); ///< of d d^T; only the lower triangle is set
+  double farthest = 0.0;                         ///< squared distance of the farthest from the first
 };
 
 Scatter scatterOf(const Points& points, const std::vector<Index>& indices);

@@ -6,6 +6,7 @@
 #include "neighborhood_grower.h"
 #include "plane_fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace graben {
@@ -35,15 +36,15 @@ public:
   void fit(const std::vector<Index>& neighbors, const Vector3& place, std::size_t i, TangentPlanes& planes) const {
     if (neighbors.empty())
       return;
-    double farthest = 0.0;
-    bool pulled = false;
-    for (const Index n : neighbors) {
-      farthest = std::max(farthest, (pointOf(n) - place).squaredNorm());
-      pulled = pulled || measured_.has(n);
-    }
     const detail::Scatter scatter = detail::scatterOf(points_, neighbors);
+    const bool own = pointOf(neighbors.front()) == place;
+    double farthest = own ? scatter.farthest : 0.0;
+    for (std::size_t n = 0; !own && n < neighbors.size(); ++n)
+      farthest = std::max(farthest, (pointOf(neighbors[n]) - place).squaredNorm());
+    const bool pulled =
+        !measured_.empty() && std::any_of(neighbors.begin(), neighbors.end(), [&](Index n) { return measured_.has(n); });
     std::optional<detail::FittedPlane> plane;
-    if (pulled && measured_.has(neighbors.front()) && pointOf(neighbors.front()) == place)
+    if (pulled && own && measured_.has(neighbors.front()))
       plane = measuredPlane(scatter, place, measured_.of(neighbors.front()));
     else if (pulled && neighbors.size() >= 3)
       plane = pulledPlane(scatter, neighbors, place, farthest);
