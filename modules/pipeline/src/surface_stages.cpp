@@ -7,6 +7,7 @@
 #include "graben/mesh/normals.h"
 #include "graben/surface/crumbs.h"
 #include "graben/surface/data_border.h"
+#include "graben/surface/defaults.h"
 #include "graben/surface/fault_cut.h"
 #include "graben/surface/local_fit.h"
 
@@ -16,10 +17,7 @@ namespace graben {
 
 namespace {
 
-constexpr std::size_t kCrumb = 20;
 constexpr int kUnfoldRounds = 4;
-const Vector3 kLatticeShift(0.2718281828, 0.3141592654, 0.1414213562); // of a voxel: keeps lattice vertices off faults given in round numbers
-constexpr double kOverhang = 0.6; // of a voxel: how far the surface reaches beyond the outermost picks
 
 /// E(M, X) over the zone, before the picks set aside are back among the points.
 DistanceStatistics zoneError(const TriangleMesh& mesh, const Points& points, const std::vector<Index>& zone,
@@ -42,10 +40,10 @@ SignedDistanceOptions ReconstructionJob::distanceOptions() const {
   const UsedParameters& used = result_.report.used;
   SignedDistanceOptions o;
   o.rho_plus_delta = rhoPlusDelta();
-  o.overhang = std::sqrt(2.0) * used.voxel_size; // every cell that holds a pick is whole; trimmed afterwards
+  o.overhang = surface_defaults::kFieldReach * used.voxel_size; // trimmed afterwards
   o.fault_reach = used.fault_reach;
   o.voxel_size = used.voxel_size;
-  o.blend = options_.smooth ? 4 : 1;
+  o.blend = options_.smooth ? surface_defaults::kBlend : 1;
   return o;
 }
 
@@ -55,7 +53,7 @@ SheetMesh ReconstructionJob::extract() {
   extraction.lattice.voxel_size = h;
   extraction.lattice.origin = latticeOrigin();
   extraction.flip_angle = options_.flip_angle;
-  extraction.snap = options_.skip.snap ? 0.0 : 0.3;
+  extraction.snap = options_.skip.snap ? 0.0 : surface_defaults::kSnap;
   extraction.threads = options_.threads;
   extraction.memory_limit = options_.memory_limit;
   extraction.progress = options_.progress;
@@ -63,7 +61,7 @@ SheetMesh ReconstructionJob::extract() {
   SheetMesh sheets = extractSheets(field, extraction);
   if (!options_.skip.trim) {
     DataBorderOptions border;
-    border.overhang = kOverhang * h;
+    border.overhang = surface_defaults::kOverhang * h;
     border.threads = options_.threads;
     trimToData(sheets, field, border);
   }
@@ -75,16 +73,16 @@ SheetMesh ReconstructionJob::extract() {
 /// The lattice stands still in the user's frame, so that neighbouring jobs of the same voxel size agree.
 Vector3 ReconstructionJob::latticeOrigin() const {
   const double h = result_.report.used.voxel_size;
-  const Vector3 zero = result_.frame.toLocal(Vector3::Zero()) + h * kLatticeShift;
+  const Vector3 zero = result_.frame.toLocal(Vector3::Zero()) + h * surface_defaults::latticeShift();
   return zero.unaryExpr([h](double x) { return x - h * std::floor(x / h); });
 }
 
 void ReconstructionJob::cut(const SheetMesh& sheets) {
   FaultCutOptions o;
-  o.tolerance = 0.1 * result_.report.used.voxel_size;
+  o.tolerance = surface_defaults::kCutTolerance * result_.report.used.voxel_size;
   o.threads = options_.threads;
   cut_ = cutSheets(sheets, faultsUnless(options_.skip.cut), o);
-  result_.report.crumbs_removed = removeCrumbs(cut_, kCrumb);
+  result_.report.crumbs_removed = removeCrumbs(cut_, surface_defaults::kCrumb);
 }
 
 void ReconstructionJob::fit() {
@@ -137,7 +135,7 @@ std::size_t ReconstructionJob::remove(const std::vector<Index>& triangles) {
   if (triangles.empty() || triangles.size() == cut_.mesh.triangles.size())
     return 0;
   removeTriangles(cut_, triangles);
-  result_.report.crumbs_removed += removeCrumbs(cut_, kCrumb);
+  result_.report.crumbs_removed += removeCrumbs(cut_, surface_defaults::kCrumb);
   return triangles.size();
 }
 

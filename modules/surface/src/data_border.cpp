@@ -101,9 +101,9 @@ private:
     parallelBlocks(beyond_.size(), 64, options_.threads, [&](std::size_t begin, std::size_t end) {
       SignedDistance::Scratch scratch;
       for (std::size_t i = begin; i < end; ++i) {
-        const Vector3& place = mesh_.vertices[static_cast<std::size_t>(belt_[i])];
-        const Vector3& viewpoint = home[i] < 0 ? place : sheets_.homes[static_cast<std::size_t>(home[i])].front();
         const Vector3 normal = normals[i].squaredNorm() > 0.0 ? Vector3(normals[i].normalized()) : Vector3(Vector3::UnitZ());
+        const Vector3 place = mesh_.vertices[static_cast<std::size_t>(belt_[i])] - options_.iso_level * normal;
+        const Vector3& viewpoint = home[i] < 0 ? place : sheets_.homes[static_cast<std::size_t>(home[i])].front();
         beyond_[i] = field_.distanceBeyond(place, viewpoint, normal, options_.overhang, scratch);
       }
     });

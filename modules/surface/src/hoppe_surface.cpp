@@ -8,6 +8,7 @@
 #include "graben/mesh/bounds.h"
 #include "graben/mesh/normals.h"
 #include "graben/surface/crumbs.h"
+#include "graben/surface/data_border.h"
 #include "graben/surface/fault_cut.h"
 #include "graben/surface/sheet_extraction.h"
 
@@ -95,7 +96,7 @@ SignedDistanceOptions fieldOptions(const NeighborGrid& grid, double boundary, do
                                    const HoppeSurfaceOptions& options, bool faulted) {
   SignedDistanceOptions o;
   o.rho_plus_delta = boundary;
-  o.overhang = options.distance_limit > 0.0 ? boundary : h;
+  o.overhang = options.distance_limit > 0.0 ? boundary : surface_defaults::kFieldReach * h;
   o.fault_reach = options.fault_reach;
   if (o.fault_reach == 0.0 && faulted)
     o.fault_reach = std::max(6.0 * meanPickDistance(grid, options.threads), 2.0 * boundary);
@@ -108,7 +109,7 @@ SignedDistanceOptions fieldOptions(const NeighborGrid& grid, double boundary, do
 ExtractionOptions extractionOptions(double h, const HoppeSurfaceOptions& options) {
   ExtractionOptions o;
   o.lattice.voxel_size = h;
-  o.lattice.origin = Vector3::Constant(0.5 * h);
+  o.lattice.origin = h * surface_defaults::latticeShift();
   o.iso_level = options.iso_level;
   o.flip_angle = options.flip_angle;
   o.snap = options.snap;
@@ -147,12 +148,20 @@ HoppeSurface hoppeSurface(const Points& points, const Points& normals, const Fau
   setWrongSideAside(grid, faults, options.threads, planes);
   const SignedDistance field(grid, planes, faults,
                              fieldOptions(grid, boundary, h, options, !faults.empty()));
-  const SheetMesh sheets = extractSheets(field, extractionOptions(h, options));
+  SheetMesh sheets = extractSheets(field, extractionOptions(h, options));
   result.cells = sheets.cells;
   result.rejected_by_flip_angle = sheets.rejected_by_flip_angle;
 
+  if (!(options.distance_limit > 0.0)) {
+    DataBorderOptions border;
+    border.overhang = surface_defaults::kOverhang * h;
+    border.threads = options.threads;
+    border.iso_level = options.iso_level;
+    trimToData(sheets, field, border);
+  }
+
   FaultCutOptions cutting;
-  cutting.tolerance = 0.02 * h;
+  cutting.tolerance = 0.02 * h; // no fit follows that would bring back what is moved onto a fault
   cutting.threads = options.threads;
   result.cut = cutSheets(sheets, faults, cutting);
   removeCrumbs(result.cut, options.smallest_piece);

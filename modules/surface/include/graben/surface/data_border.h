@@ -7,6 +7,7 @@ namespace graben {
 struct DataBorderOptions {
   double overhang = 0.0; ///< how far the surface reaches beyond the outermost picks, in the picks' units; more than 0
   unsigned threads = 0;  ///< 0: one per processor
+  double iso_level = 0.0; ///< signed distance of the surface from the data, in the picks' units
 };
 
 /// Trims the ragged steps in which whole cells end at the edge of the data: the surface ends at the given distance from the outermost picks.

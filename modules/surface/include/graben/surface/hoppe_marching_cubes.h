@@ -18,13 +18,13 @@ namespace graben {
  * normals that are not finite and normals shorter than 0.5 (PCL's limit) are skipped, other normals
  * are brought to unit length. Indices are honoured. Nothing is changed in the input.
  *
- * Output: an indexed mesh, edge-manifold, each vertex on its own lattice edge (twice where two
- * sheets touch in a vertex only, or along a fault), wound and with normals to the side the input
+ * Output: an indexed mesh, edge-manifold, vertices shared (but twice where two sheets touch in a
+ * vertex only, or along a fault), wound and with normals to the side the input
  * normals point to. Colour, intensity and curvature of the vertices are the point type's defaults.
- * Mesh and cloud take the input's header. Cells are cubes on one lattice, half a voxel beside the
- * origin of the coordinates, so that neighbouring clouds with the same voxel size agree. Nothing is
+ * Mesh and cloud take the input's header. Cells are cubes on one lattice that stands still
+ * in the coordinates, so that neighbouring clouds with the same voxel size agree. Nothing is
  * lost at the border of the box, flat clouds work, holes wider than about 2 rho stay open, and the
- * surface ends within a voxel of the data.
+ * surface is trimmed 0.6 voxels beyond the outermost points.
  *
  * The setters of the base class, all in the cloud's units:
  * - setGridResolution: where it was called (getGridResolution gives 0 before), and no voxel size is
@@ -34,7 +34,7 @@ namespace graben {
  * left out.
  * - setIsoLevel: signed distance of the surface from the points, positive along the normals.
  * - setDistanceIgnore: if positive, the surface goes no farther than this from the points, in place
- * of rho + delta inside and of a voxel at the data's edge. A distance, not its square as in
+ * of rho + delta inside and of the trim at the data's edge. A distance, not its square as in
  * PCL 1.13.
  * - setSearchMethod is taken and has no effect: neighbours come from a NeighborGrid.
  *
@@ -97,7 +97,7 @@ public:
   void setBlend(unsigned planes) { options_.blend = planes; }
 
   /// Joins vertices within this fraction of an edge of a lattice vertex, 0 to 0.4, which takes
-  /// slivers away; default 0: every vertex stays on its own edge.
+  /// slivers away; default 0.3, 0: every vertex stays on its own lattice edge.
   void setSnap(double fraction) { options_.snap = fraction; }
 
   /// Connected components with fewer triangles are left out (noise and faults make such crumbs),

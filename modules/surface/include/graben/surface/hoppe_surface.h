@@ -2,6 +2,7 @@
 
 #include "graben/faults/fault_network.h"
 #include "graben/surface/cut_mesh.h"
+#include "graben/surface/defaults.h"
 
 #include <array>
 
@@ -19,16 +20,16 @@ struct HoppeSurfaceOptions {
   double rho = 0.0;   ///< the cloud is rho-dense: wider holes than about twice this stay open
   double delta = 0.0; ///< the cloud is delta-noisy
   double distance_limit =
-      0.0;                  ///< farthest the surface may lie from the points, instead of
-                            ///< rho + delta and of one voxel beyond the data's edge; 0 or less: off
+      0.0;                  ///< farthest the surface may lie from the points, instead of rho + delta
+                            ///< and of the trim at the data's edge; 0 or less: off
   double iso_level = 0.0;   ///< signed distance of the surface from the points, may be negative
   double flip_angle = 60.0; ///< degrees, 0 to 180; 180: off
   double fault_reach = 0.0; ///< farthest the surface is carried on to a fault; 0: 6 distances
   ///< between points, but at least 2 (rho + delta)
-  std::size_t blend = 4; ///< planes a value is averaged over; 1: Hoppe's nearest plane alone
-  double snap = 0.0;     ///< see ExtractionOptions::snap, 0 to 0.4
+  std::size_t blend = surface_defaults::kBlend; ///< planes a value is averaged over; 1: Hoppe's nearest plane alone
+  double snap = surface_defaults::kSnap;        ///< see ExtractionOptions::snap, 0 to 0.4
   std::size_t smallest_piece =
-      20;               ///< components with fewer triangles are left out, unless that leaves none
+      surface_defaults::kCrumb; ///< components with fewer triangles are left out, unless that leaves none
   unsigned threads = 0; ///< 0: one per processor
   std::size_t memory_limit = 0; ///< bytes the extraction may take; 0: three quarters of the memory
 };
@@ -45,8 +46,8 @@ struct HoppeSurface {
 
 /// Hoppe's surface of points with oriented normals: each point is the centre of its tangent plane.
 ///
-/// The lattice stands half a voxel beside the origin of the coordinates, whatever the points are.
-/// Sheets end at the faults, one on each side. The same bytes for any number of threads. \param[in]
+/// The lattice stands still in the coordinates (see surface_defaults::latticeShift), whatever the
+/// points are. The surface ends 0.6 voxels beyond the outermost points, and sheets end at the faults, one on each side. The same bytes for any number of threads. \param[in]
 /// normals unit length, one for each point, all finite as the points \throw InvalidInputError if
 /// there are fewer than three distinct points, or none off a line where
 ///        something must be estimated, or an option is out of range
