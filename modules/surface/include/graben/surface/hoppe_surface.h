@@ -46,11 +46,11 @@ struct HoppeSurface {
 
 /// Hoppe's surface of points with oriented normals: each point is the centre of its tangent plane.
 ///
-/// The lattice stands still in the coordinates (see surface_defaults::latticeShift), whatever the
-/// points are. The surface ends 0.6 voxels beyond the outermost points, and sheets end at the faults, one on each side. The same bytes for any number of threads. \param[in]
-/// normals unit length, one for each point, all finite as the points \throw InvalidInputError if
-/// there are fewer than three distinct points, or none off a line where
-///        something must be estimated, or an option is out of range
+/// The lattice stands still in the coordinates (see surface_defaults::latticeShift), whatever the points are. The surface ends 0.6 voxels beyond the
+/// outermost points, and sheets end at the faults, one on each side. The same bytes for any number of threads.
+/// \param[in] normals unit length, one for each point, all finite as the points
+/// \throw InvalidInputError if there are fewer than three distinct points, or none off a line where something must be estimated, or an option is out of
+///        range
 /// \throw ResourceError if the voxel size makes the job too large
 HoppeSurface hoppeSurface(const Points& points, const Points& normals, const FaultNetwork& faults,
                           const HoppeSurfaceOptions& options);
