@@ -46,9 +46,9 @@ void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faul
   clock_.start("orientation");
   orient();
   clock_.start("marching cubes");
-  const SheetMesh sheets = extract();
+  SheetMesh sheets = extract();
   clock_.start("cut");
-  cut(sheets);
+  cut(std::move(sheets));
   clock_.start("fit");
   fit();
   clock_.start("evaluation");
