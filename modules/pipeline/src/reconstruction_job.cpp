@@ -46,9 +46,9 @@ void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faul
   clock_.start("orientation");
   orient();
   clock_.start("marching cubes");
-  SheetMesh sheets = extract();
+  const SheetMesh sheets = extract();
   clock_.start("cut");
-  cut(std::move(sheets));
+  cut(sheets);
   clock_.start("fit");
   fit();
   clock_.start("evaluation");

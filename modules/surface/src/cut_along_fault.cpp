@@ -67,16 +67,9 @@ private:
   void findTriangles() {
     std::vector<std::uint8_t> near(mesh_.triangles.size(), 0);
     const Bounds& reach = faults_.bvh(fault_).bounds();
-    const auto touches = [&](const Bounds& box) { return reach.overlaps(box) && faults_.bvh(fault_).mayTouch(box); };
-    // Triangles that follow each other mostly lie near each other: far from the fault one question serves them all.
-    parallelBlocks(near.size(), 128, threads_, [&](std::size_t begin, std::size_t end) {
-      Bounds all;
-      for (std::size_t t = begin; t < end; ++t)
-        all.extend(boxOf(mesh_, mesh_.triangles[t], tolerance_));
-      if (!touches(all))
-        return;
-      for (std::size_t t = begin; t < end; ++t)
-        near[t] = touches(boxOf(mesh_, mesh_.triangles[t], tolerance_)) ? 1 : 0;
+    parallelFor(near.size(), 4096, threads_, [&](std::size_t t) {
+      const Bounds box = boxOf(mesh_, mesh_.triangles[t], tolerance_);
+      near[t] = reach.overlaps(box) && faults_.bvh(fault_).mayTouch(box) ? 1 : 0;
     });
     for (std::size_t t = 0; t < near.size(); ++t)
       if (near[t] != 0)

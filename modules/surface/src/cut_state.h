@@ -25,6 +25,6 @@ struct CutState {
 void cutAlongFault(CutState& state, const class FaultNetwork& faults, std::size_t fault, double tolerance, unsigned threads);
 
 /// Gives each side of the marked edges its own vertices; also separates fans of triangles that share a vertex only.
-void openCuts(CutState& state, unsigned threads = 0);
+void openCuts(CutState& state);
 
 } // namespace graben

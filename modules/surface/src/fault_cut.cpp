@@ -61,11 +61,11 @@ void trim(CutState& state, const std::vector<Points>& homes, const FaultNetwork&
   state.home.resize(kept);
 }
 
-CutState cutAll(TriangleMesh mesh, const FaultNetwork& faults, double tolerance, unsigned threads, std::vector<Index> home) {
+CutState cutAll(const TriangleMesh& mesh, const FaultNetwork& faults, double tolerance, unsigned threads, std::vector<Index> home) {
   validate(mesh, "cutting along the faults");
   CutState state;
+  state.out.mesh = mesh;
   state.out.vertex_faults.assign(mesh.vertices.size(), {-1, -1});
-  state.out.mesh = std::move(mesh);
   state.home = std::move(home);
   for (std::size_t f = 0; f < faults.size(); ++f)
     cutAlongFault(state, faults, f, tolerance, threads);
@@ -89,15 +89,14 @@ void removeUnreferencedVertices(CutMesh& cut) {
 
 CutMesh cutAlongFaults(const TriangleMesh& mesh, const FaultNetwork& faults, const FaultCutOptions& options) {
   CutState state = cutAll(mesh, faults, toleranceOf(mesh, options), options.threads, {});
-  openCuts(state, options.threads);
+  openCuts(state);
   return std::move(state.out);
 }
 
-CutMesh cutSheets(SheetMesh sheets, const FaultNetwork& faults, const FaultCutOptions& options) {
-  const double tolerance = toleranceOf(sheets.mesh, options);
-  CutState state = cutAll(std::move(sheets.mesh), faults, tolerance, options.threads, std::move(sheets.home));
+CutMesh cutSheets(const SheetMesh& sheets, const FaultNetwork& faults, const FaultCutOptions& options) {
+  CutState state = cutAll(sheets.mesh, faults, toleranceOf(sheets.mesh, options), options.threads, sheets.home);
   trim(state, sheets.homes, faults, options.threads);
-  openCuts(state, options.threads);
+  openCuts(state);
   removeUnreferencedVertices(state.out);
   return std::move(state.out);
 }

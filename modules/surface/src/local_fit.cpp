@@ -1,12 +1,12 @@
 #include "graben/surface/local_fit.h"
 
 #include "box_around.h"
+#include "local_faults.h"
+#include "normal_equations.h"
 
-#include "graben/faults/fault_signature.h"
+#include "graben/features/mean_distance.h"
 
 #include <Eigen/Geometry>
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -16,139 +16,245 @@ namespace graben {
 namespace {
 
 constexpr double kNormalLimit = 0.34; // cosine of 70 degrees
+constexpr double kPi = 3.14159265358979;
+constexpr double kMore = 1.2;        // share of picks collected over those wanted
+constexpr std::size_t kExactBelow = 45; // picks wanted up to which the disc is made to hold just these
+constexpr double kRidge = 1e-6;      // weight that keeps all coefficients but the height down, as a share of all picks'
+constexpr int kSpareEquations = 3;   // more than coefficients
+constexpr double kSuspect = 5.5;     // largest residual over the mean one that calls for a closer look; Gaussian noise stays below
+constexpr double kBlunder = 7.0;     // residual over the median one, 4.7 standard deviations of Gaussian noise
+constexpr int kBlunderRounds = 3;
 
-/// Weighted least squares for height = sum of coefficients times monomials, in coordinates scaled to the support.
-template <int Terms>
-class Polynomial {
-public:
-  using Row = Eigen::Matrix<double, Terms, 1>;
-  using Matrix = Eigen::Matrix<double, Terms, Terms>;
-
-  static Row row(double u, double v) {
-    Row r;
-    r[0] = 1.0;
-    r[1] = u;
-    r[2] = v;
-    if constexpr (Terms == 6) {
-      r[3] = u * u;
-      r[4] = u * v;
-      r[5] = v * v;
-    }
-    return r;
-  }
-
-  void add(double u, double v, double height, double weight) {
-    const Row r = row(u, v);
-    matrix_.noalias() += weight * r * r.transpose();
-    right_ += weight * height * r;
-  }
-
-  bool solve(Row& coefficients) {
-    // A little weight on the slopes and bends keeps one-sided or thin supports from swinging.
-    const double ridge = 1e-6 * matrix_(0, 0);
-    for (int i = 1; i < Terms; ++i)
-      matrix_(i, i) += ridge;
-    solver_.compute(matrix_);
-    if (solver_.info() != Eigen::Success)
-      return false;
-    coefficients = solver_.solve(right_);
-    return coefficients.allFinite();
-  }
-
-  double leverage(double u, double v, double weight) const {
-    const Row r = row(u, v);
-    return weight * r.dot(solver_.solve(r));
-  }
-
-private:
-  Matrix matrix_ = Matrix::Zero();
-  Row right_ = Row::Zero();
-  Eigen::LLT<Matrix> solver_;
-};
-
-struct Support {
-  const Points& points;
-  const std::vector<Neighbor>& picks;
-  Vector3 at;
-  Vector3 u;
-  Vector3 v;
-  Vector3 normal;
-  double radius;
-  Index own;
-};
-
-double weightOf(double squared_distance, double radius) {
-  const double ratio = squared_distance / (radius * radius);
-  const double w = std::max(0.0, 1.0 - ratio);
-  return 0.02 + w * w;
+/// Weight of a pick at a squared distance given as a share of the support's squared radius.
+double weightOf(double share) {
+  const double w = std::max(0.0, 1.0 - share);
+  return w * w;
 }
 
-template <int Terms>
-LocalEstimate estimate(const Support& s) {
-  Polynomial<Terms> polynomial;
-  for (const Neighbor& pick : s.picks) {
-    const Vector3 d = s.points[static_cast<std::size_t>(pick.index)] - s.at;
-    polynomial.add(d.dot(s.u) / s.radius, d.dot(s.v) / s.radius, d.dot(s.normal), weightOf(pick.squared_distance, s.radius));
-  }
-  LocalEstimate result;
-  typename Polynomial<Terms>::Row c;
-  if (!polynomial.solve(c))
-    return result;
-  result.valid = true;
-  result.offset = c[0];
-  result.normal = (s.normal - c[1] / s.radius * s.u - c[2] / s.radius * s.v).normalized();
-  for (const Neighbor& pick : s.picks) {
-    if (pick.index != s.own)
-      continue;
-    const Vector3 d = s.points[static_cast<std::size_t>(pick.index)] - s.at;
-    result.leverage = polynomial.leverage(d.dot(s.u) / s.radius, d.dot(s.v) / s.radius, weightOf(pick.squared_distance, s.radius));
-  }
-  return result;
+double valueOf(const std::array<double, 10>& c, double u, double v) {
+  return c[0] + u * (c[1] + u * (c[3] + u * c[6])) + v * (c[2] + v * (c[5] + v * c[9])) + u * v * (c[4] + u * c[7] + v * c[8]);
 }
 
 } // namespace
 
-LocalFit::LocalFit(const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults, double search_radius)
-  : grid_(grid), planes_(planes), faults_(faults), search_radius_(search_radius) {}
+LocalSurface frameAt(const Vector3& centre, const Vector3& normal) {
+  LocalSurface surface;
+  surface.centre = centre;
+  surface.normal = normal;
+  surface.u = normal.unitOrthogonal();
+  surface.v = normal.cross(surface.u);
+  return surface;
+}
 
-void LocalFit::gather(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, std::size_t wanted, Scratch& scratch) const {
-  for (std::size_t count = wanted;; count *= 2) {
-    grid_.nearest(at, count, scratch.candidates, search_radius_);
-    scratch.picks.clear();
-    if (scratch.candidates.empty())
-      return;
-    const double reach = std::sqrt(scratch.candidates.back().squared_distance);
-    const bool near_faults = !faults_.empty() && faults_.mayTouch(boxAround(at, reach));
-    for (const Neighbor& c : scratch.candidates) {
-      const auto i = static_cast<std::size_t>(c.index);
-      if (!(planes_.normals[i].dot(normal) > kNormalLimit))
-        continue;
-      if (near_faults && !sameSide(faults_, grid_.points()[i], viewpoint))
-        continue;
-      scratch.picks.push_back(c);
-      if (scratch.picks.size() == wanted)
-        return;
-    }
-    if (scratch.candidates.size() < count || count > 16 * wanted)
-      return;
+LocalEstimate LocalSurface::from(const Vector3& place, const Vector3& direction) const {
+  LocalEstimate e;
+  const std::array<double, 10>& c = coefficients;
+  const Vector3 d = place - centre;
+  const double along_u = direction.dot(u) / radius, along_v = direction.dot(v) / radius, along = direction.dot(normal);
+  const double at_u = d.dot(u) / radius, at_v = d.dot(v) / radius, height = d.dot(normal);
+  for (int step = 0; step < 2; ++step) {
+    const double x = at_u + e.offset * along_u, y = at_v + e.offset * along_v;
+    const double slope_u = c[1] + 2.0 * c[3] * x + c[4] * y + 3.0 * c[6] * x * x + 2.0 * c[7] * x * y + c[8] * y * y;
+    const double slope_v = c[2] + c[4] * x + 2.0 * c[5] * y + c[7] * x * x + 2.0 * c[8] * x * y + 3.0 * c[9] * y * y;
+    const double rate = along - slope_u * along_u - slope_v * along_v;
+    if (std::abs(rate) < 0.1)
+      return e;
+    e.offset += (valueOf(c, x, y) - height - e.offset * along) / rate;
+    e.normal = normal - slope_u / radius * u - slope_v / radius * v;
   }
+  e.normal *= (e.normal.dot(direction) < 0.0 ? -1.0 : 1.0) / e.normal.norm();
+  e.valid = valid && std::isfinite(e.offset);
+  return e;
+}
+
+LocalFit::LocalFit(const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults, double search_radius)
+  : grid_(grid), planes_(planes), faults_(faults), search_radius_(search_radius),
+    borders_(std::make_shared<FaultBorders>(faults)), pace_(meanPickDistance(grid) / std::sqrt(kPi)) {
+  if (!planes.measured.empty())
+    measured_.assign(planes.normals.size(), false);
+  for (const Index pick : planes.measured)
+    measured_[static_cast<std::size_t>(pick)] = true;
+}
+
+void LocalFit::collect(const LocalSurface& frame, const Vector3& viewpoint, double radius, Scratch& s) const {
+  grid_.collectWithin(frame.centre, radius, s.around);
+  const std::size_t found = s.around.count;
+  if (s.u.size() < found)
+    for (std::vector<double>* values : {&s.u, &s.v, &s.height, &s.squared})
+      values->resize(found + found / 2);
+  if (s.index.size() < found)
+    s.index.resize(found + found / 2);
+  Bounds box = boxAround(frame.centre, 1.001 * radius);
+  box.extend(viewpoint);
+  const LocalFaults sides(faults_, *borders_, box);
+  s.count = 0;
+  for (std::size_t i = 0; i < found; ++i) {
+    const Index pick = s.around.index[i];
+    if (!(planes_.normals[static_cast<std::size_t>(pick)].dot(frame.normal) > kNormalLimit))
+      continue;
+    if (!sides.empty() && !sides.sameSide(grid_.points()[static_cast<std::size_t>(pick)], viewpoint))
+      continue;
+    const Vector3 d(s.around.dx[i], s.around.dy[i], s.around.dz[i]);
+    const double u = d.dot(frame.u), v = d.dot(frame.v);
+    s.u[s.count] = u;
+    s.v[s.count] = v;
+    s.height[s.count] = d.dot(frame.normal);
+    s.squared[s.count] = u * u + v * v;
+    s.index[s.count++] = pick;
+  }
+}
+
+double LocalFit::gather(LocalSurface& frame, const Vector3& viewpoint, std::size_t wanted, Scratch& s) const {
+  const double root = std::sqrt(kMore * static_cast<double>(wanted));
+  double radius = (s.pace > 0.0 ? s.pace : pace_) * root;
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    radius = std::min(radius, search_radius_);
+    collect(frame, viewpoint, radius, s);
+    const double ratio = kMore * static_cast<double>(wanted) / static_cast<double>(s.count + 1);
+    if (s.count < wanted && radius < search_radius_)
+      radius *= std::clamp(std::sqrt(ratio), 1.15, 2.5);
+    else if (s.count > 3 * wanted)
+      radius *= std::max(std::sqrt(ratio), 0.4);
+    else
+      break;
+  }
+  if (s.count == 0)
+    return frame.radius = 0.0;
+  s.pace = radius / std::sqrt(static_cast<double>(s.count));
+  frame.radius = radius;
+  if (s.count >= wanted && wanted > kExactBelow) {
+    frame.radius = radius * std::sqrt(static_cast<double>(wanted) / static_cast<double>(s.count));
+  } else {
+    s.spare.assign(s.squared.begin(), s.squared.begin() + static_cast<std::ptrdiff_t>(s.count));
+    const auto last = s.spare.begin() + static_cast<std::ptrdiff_t>(std::min(wanted, s.count) - 1);
+    std::nth_element(s.spare.begin(), last, s.spare.end());
+    frame.radius = std::sqrt(kRim * *last);
+  }
+  return frame.radius;
+}
+
+/// The picks gathered, in units of the support, and their weights.
+struct LocalFit::Support {
+  Support(const LocalSurface& surface, Scratch& scratch) : s(scratch), even(scratch.count + scratch.count % 2), inverse(1.0 / surface.radius) {
+    for (std::vector<double>* values : {&s.scaled_u, &s.scaled_v, &s.weight, &s.height, &s.residual})
+      if (values->size() < even)
+        values->resize(even + even / 2);
+    for (std::size_t i = 0; i < s.count; ++i) {
+      s.scaled_u[i] = s.u[i] * inverse;
+      s.scaled_v[i] = s.v[i] * inverse;
+      s.weight[i] = weightOf(s.squared[i] * inverse * inverse);
+    }
+    if (even > s.count)
+      s.scaled_u[s.count] = s.scaled_v[s.count] = s.weight[s.count] = s.height[s.count] = 0.0;
+    countUsed();
+  }
+
+  void countUsed() {
+    used = 0;
+    total = 0.0;
+    for (std::size_t i = 0; i < s.count; ++i) {
+      total += s.weight[i];
+      used += s.weight[i] > 0.0 ? 1 : 0;
+    }
+  }
+
+  /// Takes the weight from picks that lie off the polynomial as none of the others does. \return whether there were any
+  bool dropBlunders(const std::array<double, 10>& coefficients) {
+    double largest = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < s.count; ++i) {
+      s.residual[i] = std::abs(s.height[i] - valueOf(coefficients, s.scaled_u[i], s.scaled_v[i]));
+      const double counted = s.weight[i] > 0.0 ? s.residual[i] : 0.0;
+      sum += counted;
+      largest = std::max(largest, counted);
+    }
+    if (largest < kSuspect * sum / static_cast<double>(used))
+      return false;
+    s.spare.clear();
+    for (std::size_t i = 0; i < s.count; ++i)
+      if (s.weight[i] > 0.0)
+        s.spare.push_back(s.residual[i]);
+    const auto middle = s.spare.begin() + static_cast<std::ptrdiff_t>(s.spare.size() / 2);
+    std::nth_element(s.spare.begin(), middle, s.spare.end());
+    const double limit = kBlunder * *middle;
+    if (!(largest > limit))
+      return false;
+    for (std::size_t i = 0; i < s.count; ++i)
+      if (s.residual[i] > limit)
+        s.weight[i] = 0.0;
+    countUsed();
+    return true;
+  }
+
+  Scratch& s;
+  std::size_t even;
+  double inverse;
+  std::size_t used = 0;
+  double total = 0.0;
+};
+
+void LocalFit::addSlopes(const LocalSurface& surface, double weight, const Scratch& s, Index own, detail::NormalEquations& equations) const {
+  for (std::size_t i = 0; i < s.count; ++i) {
+    if (!measured_[static_cast<std::size_t>(s.index[i])] || s.index[i] == own || !(s.weight[i] > 0.0))
+      continue;
+    const Vector3& n = planes_.normals[static_cast<std::size_t>(s.index[i])];
+    const double scale = surface.radius / n.dot(surface.normal);
+    equations.addSlopes(s.scaled_u[i], s.scaled_v[i], -scale * n.dot(surface.u), -scale * n.dot(surface.v),
+                        weight * s.weight[i] / (surface.radius * surface.radius));
+  }
+}
+
+double LocalFit::solve(LocalSurface& surface, const LocalModel& model, Scratch& s, Index own) const {
+  surface.valid = false;
+  surface.coefficients.fill(0.0);
+  if (!(surface.radius > 0.0))
+    return 0.0;
+  Support support(surface, s);
+  const bool slopes = model.slope_weight > 0.0 && !measured_.empty();
+  std::size_t equation_count = support.used;
+  for (std::size_t i = 0; slopes && i < s.count; ++i)
+    equation_count += s.weight[i] > 0.0 && measured_[static_cast<std::size_t>(s.index[i])] ? 2 : 0;
+  int degree = model.degree;
+  while (degree > 1 && static_cast<int>(equation_count) < detail::termsOf(degree) + kSpareEquations)
+    --degree;
+  if (equation_count < 4)
+    return 0.0;
+  for (int round = 0;; ++round) {
+    detail::NormalEquations equations(degree);
+    equations.addHeights(s.scaled_u.data(), s.scaled_v.data(), s.height.data(), s.weight.data(), support.even);
+    if (slopes)
+      addSlopes(surface, model.slope_weight, s, own, equations);
+    for (int d = 1; d <= degree; ++d)
+      equations.addStiffness(d, kRidge * support.total);
+    surface.valid = equations.solve(surface.coefficients);
+    if (!surface.valid)
+      return 0.0;
+    const bool enough = static_cast<int>(support.used) > 2 * detail::termsOf(degree) + kSpareEquations;
+    if (round < kBlunderRounds && enough && support.dropBlunders(surface.coefficients))
+      continue;
+    for (std::size_t i = 0; own >= 0 && i < s.count; ++i)
+      if (s.index[i] == own)
+        return equations.leverage(s.scaled_u[i], s.scaled_v[i], s.weight[i]);
+    return 0.0;
+  }
+}
+
+LocalSurface LocalFit::around(const Vector3& centre, const Vector3& viewpoint, const Vector3& normal, const LocalModel& model,
+                              Scratch& scratch) const {
+  LocalSurface surface = frameAt(centre, normal);
+  if (gather(surface, viewpoint, model.neighbors, scratch) > 0.0)
+    solve(surface, model, scratch);
+  return surface;
 }
 
 LocalEstimate LocalFit::at(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, const LocalModel& model,
                            Scratch& scratch, Index own) const {
-  gather(at, viewpoint, normal, model.neighbors, scratch);
-  for (Neighbor& pick : scratch.picks)
-    pick.squared_distance = (grid_.points()[static_cast<std::size_t>(pick.index)] - at).squaredNorm();
-  if (scratch.picks.size() < 4)
+  LocalSurface surface = frameAt(at, normal);
+  if (!(gather(surface, viewpoint, model.neighbors, scratch) > 0.0))
     return {};
-  double farthest = 0.0;
-  for (const Neighbor& pick : scratch.picks)
-    farthest = std::max(farthest, pick.squared_distance);
-  if (!(farthest > 0.0))
-    return {};
-  const Vector3 u = normal.unitOrthogonal();
-  const Support support{grid_.points(), scratch.picks, at, u, normal.cross(u), normal, 1.05 * std::sqrt(farthest), own};
-  return model.degree == 2 && scratch.picks.size() >= 10 ? estimate<6>(support) : estimate<3>(support);
+  const double leverage = solve(surface, model, scratch, own);
+  LocalEstimate e = surface.from(at, normal);
+  e.leverage = leverage;
+  return e;
 }
 
 } // namespace graben

@@ -17,93 +17,10 @@ constexpr int kPullRounds = 6;
 constexpr double kStop = 0.6;    // where a vertex stops on its way to a fault
 constexpr double kShortOfFault = 0.97;
 
-/// Vertices within a few rings of the faults, with their neighbours; the rest of the mesh is not touched.
-class FaultBelt {
-public:
-  explicit FaultBelt(const CutMesh& cut) {
-    const std::vector<Triangle>& triangles = cut.mesh.triangles;
-    std::vector<std::uint8_t> in(cut.mesh.vertices.size(), 0);
-    for (std::size_t v = 0; v < in.size(); ++v)
-      in[v] = cut.onFault(static_cast<Index>(v)) ? 1 : 0;
-    growRings(triangles, kRings, in);
-    slot_.assign(in.size(), -1);
-    for (std::size_t v = 0; v < in.size(); ++v)
-      if (in[v] != 0) {
-        slot_[v] = static_cast<Index>(vertices.size());
-        vertices.push_back(static_cast<Index>(v));
-      }
-    neighbors.resize(vertices.size());
-    for (const Triangle& t : triangles)
-      for (std::size_t c = 0; c < 3; ++c)
-        if (slot_[static_cast<std::size_t>(t[c])] >= 0)
-          for (const std::size_t o : {(c + 1) % 3, (c + 2) % 3})
-            neighbors[static_cast<std::size_t>(slot_[static_cast<std::size_t>(t[c])])].push_back(t[o]);
-    for (auto& list : neighbors) {
-      std::sort(list.begin(), list.end());
-      list.erase(std::unique(list.begin(), list.end()), list.end());
-    }
-  }
-
-  std::vector<Index> vertices;
-  std::vector<std::vector<Index>> neighbors; ///< of each belt vertex
-
-private:
-  std::vector<Index> slot_;
-};
-
-void drag(const CutMesh& cut, const FaultBelt& belt, Points& targets) {
-  Points slide(targets.size(), Vector3::Zero());
-  for (const Index vertex : belt.vertices) {
-    const auto v = static_cast<std::size_t>(vertex);
-    if (!cut.onFault(vertex))
-      continue;
-    const Vector3 step = targets[v] - cut.mesh.vertices[v];
-    slide[v] = step - step.dot(cut.mesh.normals[v]) * cut.mesh.normals[v];
-  }
-  for (int ring = 0; ring < kRings; ++ring) {
-    const Points before = slide;
-    for (std::size_t i = 0; i < belt.vertices.size(); ++i) {
-      if (cut.onFault(belt.vertices[i]))
-        continue;
-      Vector3 sum = Vector3::Zero();
-      for (const Index n : belt.neighbors[i])
-        sum += before[static_cast<std::size_t>(n)];
-      slide[static_cast<std::size_t>(belt.vertices[i])] = kDrag / static_cast<double>(belt.neighbors[i].size()) * sum;
-    }
-  }
-  for (const Index vertex : belt.vertices)
-    if (!cut.onFault(vertex))
-      targets[static_cast<std::size_t>(vertex)] += slide[static_cast<std::size_t>(vertex)];
-}
-
 /// True if a fault lies between a vertex off the faults and a neighbour; a neighbour on a fault is asked for just short of it.
 bool hidden(const CutMesh& cut, const FaultNetwork& faults, const Points& targets, const Vector3& from, Index neighbor) {
   const Vector3& at = targets[static_cast<std::size_t>(neighbor)];
   return !sameSide(faults, from, cut.onFault(neighbor) ? Vector3(from + kShortOfFault * (at - from)) : at);
-}
-
-/// A vertex that a fault hides from the middle of its neighbours stops on the way from there; one that it hides from single neighbours, where a fault
-/// bends sharply, goes back towards the middle.
-void pullBack(const CutMesh& cut, const FaultNetwork& faults, const FaultBelt& belt, Points& targets, unsigned threads) {
-  Points moved(belt.vertices.size());
-  parallelFor(belt.vertices.size(), 256, threads, [&](std::size_t i) {
-    const auto v = static_cast<std::size_t>(belt.vertices[i]);
-    moved[i] = targets[v];
-    if (cut.onFault(belt.vertices[i]))
-      return;
-    Vector3 middle = Vector3::Zero();
-    for (const Index n : belt.neighbors[i])
-      middle += targets[static_cast<std::size_t>(n)] / static_cast<double>(belt.neighbors[i].size());
-    if (!sameSide(faults, middle, targets[v])) {
-      if (const auto crossing = faults.firstCrossing(middle, targets[v]))
-        moved[i] = middle + kStop * (crossing->point - middle);
-    } else if (std::any_of(belt.neighbors[i].begin(), belt.neighbors[i].end(),
-                           [&](Index n) { return hidden(cut, faults, targets, targets[v], n); })) {
-      moved[i] = 0.5 * (middle + targets[v]);
-    }
-  });
-  for (std::size_t i = 0; i < moved.size(); ++i)
-    targets[static_cast<std::size_t>(belt.vertices[i])] = moved[i];
 }
 
 } // namespace
@@ -127,12 +44,124 @@ void growRings(const std::vector<Triangle>& triangles, int rings, std::vector<st
   }
 }
 
-void moveVertices(CutMesh& cut, const FaultNetwork& faults, Points targets, unsigned threads) {
-  if (!faults.empty()) {
-    const FaultBelt belt(cut);
-    drag(cut, belt, targets);
-    for (int round = 0; round < kPullRounds; ++round)
-      pullBack(cut, faults, belt, targets, threads);
+VertexMover::VertexMover(const CutMesh& cut, const FaultNetwork& faults, unsigned threads) : faults_(faults), threads_(threads) {
+  if (faults.empty())
+    return;
+  std::vector<std::uint8_t> in(cut.mesh.vertices.size(), 0);
+  for (std::size_t v = 0; v < in.size(); ++v)
+    in[v] = cut.onFault(static_cast<Index>(v)) ? 1 : 0;
+  growRings(cut.mesh.triangles, kRings, in);
+  for (std::size_t v = 0; v < in.size(); ++v)
+    if (in[v] != 0)
+      belt_.push_back(static_cast<Index>(v));
+  std::vector<std::array<Index, 2>> edges;
+  for (const Triangle& t : cut.mesh.triangles)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (in[static_cast<std::size_t>(t[c])] != 0) {
+        edges.push_back({t[c], t[(c + 1) % 3]});
+        edges.push_back({t[c], t[(c + 2) % 3]});
+      }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  auto edge = edges.begin();
+  for (const Index v : belt_) {
+    first_.push_back(neighbors_.size());
+    for (; edge != edges.end() && (*edge)[0] == v; ++edge)
+      neighbors_.push_back((*edge)[1]);
+  }
+  first_.push_back(neighbors_.size());
+}
+
+void VertexMover::drag(const CutMesh& cut, Points& targets) const {
+  Points slide(belt_.size(), Vector3::Zero());
+  std::vector<Index> slot(neighbors_.size()); // of each neighbour in the belt, -1 if it is not there
+  for (std::size_t n = 0; n < neighbors_.size(); ++n) {
+    const auto found = std::lower_bound(belt_.begin(), belt_.end(), neighbors_[n]);
+    slot[n] = found != belt_.end() && *found == neighbors_[n] ? static_cast<Index>(found - belt_.begin()) : -1;
+  }
+  for (std::size_t i = 0; i < belt_.size(); ++i) {
+    const auto v = static_cast<std::size_t>(belt_[i]);
+    if (!cut.onFault(belt_[i]))
+      continue;
+    const Vector3 step = targets[v] - cut.mesh.vertices[v];
+    slide[i] = step - step.dot(cut.mesh.normals[v]) * cut.mesh.normals[v];
+  }
+  for (int ring = 0; ring < kRings; ++ring) {
+    const Points before = slide;
+    for (std::size_t i = 0; i < belt_.size(); ++i) {
+      if (cut.onFault(belt_[i]))
+        continue;
+      Vector3 sum = Vector3::Zero();
+      for (std::size_t n = first_[i]; n < first_[i + 1]; ++n)
+        if (slot[n] >= 0)
+          sum += before[static_cast<std::size_t>(slot[n])];
+      slide[i] = kDrag / static_cast<double>(first_[i + 1] - first_[i]) * sum;
+    }
+  }
+  for (std::size_t i = 0; i < belt_.size(); ++i)
+    if (!cut.onFault(belt_[i]))
+      targets[static_cast<std::size_t>(belt_[i])] += slide[i];
+}
+
+/// A vertex that a fault hides from the middle of its neighbours stops on the way from there; one that it hides from single neighbours, where a fault
+/// bends sharply, goes back towards the middle. \return whether it moves
+bool VertexMover::settle(const CutMesh& cut, const Points& targets, std::size_t i, Vector3& place) const {
+  if (cut.onFault(belt_[i]))
+    return false;
+  const Vector3& at = targets[static_cast<std::size_t>(belt_[i])];
+  Bounds box;
+  box.extend(at);
+  Vector3 middle = Vector3::Zero();
+  for (std::size_t n = first_[i]; n < first_[i + 1]; ++n) {
+    const Vector3& neighbor = targets[static_cast<std::size_t>(neighbors_[n])];
+    middle += neighbor / static_cast<double>(first_[i + 1] - first_[i]);
+    box.extend(neighbor);
+  }
+  if (!faults_.mayTouch(box))
+    return false;
+  if (!sameSide(faults_, middle, at)) {
+    const auto crossing = faults_.firstCrossing(middle, at);
+    if (!crossing)
+      return false;
+    place = middle + kStop * (crossing->point - middle);
+    return true;
+  }
+  for (std::size_t n = first_[i]; n < first_[i + 1]; ++n)
+    if (hidden(cut, faults_, targets, at, neighbors_[n])) {
+      place = 0.5 * (middle + at);
+      return true;
+    }
+  return false;
+}
+
+void VertexMover::pullBack(const CutMesh& cut, Points& targets) const {
+  std::vector<std::uint8_t> moved(targets.size(), 1); // in the round before; a vertex is tested again only where it or a neighbour was
+  for (int round = 0; round < kPullRounds; ++round) {
+    Points places(belt_.size());
+    std::vector<std::uint8_t> moves(belt_.size(), 0);
+    parallelFor(belt_.size(), 128, threads_, [&](std::size_t i) {
+      bool stirred = moved[static_cast<std::size_t>(belt_[i])] != 0;
+      for (std::size_t n = first_[i]; n < first_[i + 1] && !stirred; ++n)
+        stirred = moved[static_cast<std::size_t>(neighbors_[n])] != 0;
+      moves[i] = stirred && settle(cut, targets, i, places[i]) ? 1 : 0;
+    });
+    bool any = false;
+    std::fill(moved.begin(), moved.end(), std::uint8_t(0));
+    for (std::size_t i = 0; i < belt_.size(); ++i)
+      if (moves[i] != 0) {
+        targets[static_cast<std::size_t>(belt_[i])] = places[i];
+        moved[static_cast<std::size_t>(belt_[i])] = 1;
+        any = true;
+      }
+    if (!any)
+      return;
+  }
+}
+
+void VertexMover::move(CutMesh& cut, Points targets) const {
+  if (!belt_.empty()) {
+    drag(cut, targets);
+    pullBack(cut, targets);
   }
   cut.mesh.vertices = std::move(targets);
 }

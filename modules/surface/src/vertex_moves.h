@@ -16,9 +16,28 @@ void growRings(const std::vector<Triangle>& triangles, int rings, std::vector<st
 /// Moves the vertices of a mesh with normals to new places so that none gets through a fault.
 ///
 /// Where vertices on a fault slide along it, the vertices beside them are drawn along, so that triangles keep their shape. A vertex that would
-/// still end beyond a fault stops short of it.
-/// \param[in] targets one place per vertex, at the same place for those that do not move
-/// Deterministic for any number of threads; O(vertices).
-void moveVertices(CutMesh& cut, const FaultNetwork& faults, Points targets, unsigned threads);
+/// still end beyond a fault stops short of it. Holds for one mesh and its triangles, through any number of moves. Deterministic for any number of
+/// threads; O(vertices) to build, then in proportion to the vertices near faults.
+class VertexMover {
+public:
+  VertexMover(const CutMesh& cut, const FaultNetwork& faults, unsigned threads);
+
+  /// \param[in] targets one place per vertex, at the same place for those that do not move
+  void move(CutMesh& cut, Points targets) const;
+
+  /// The vertices within a few rings of triangles of the faults, in rising order: those that move() may put elsewhere than their targets.
+  const std::vector<Index>& belt() const { return belt_; }
+
+private:
+  void drag(const CutMesh& cut, Points& targets) const;
+  void pullBack(const CutMesh& cut, Points& targets) const;
+  bool settle(const CutMesh& cut, const Points& targets, std::size_t i, Vector3& place) const;
+
+  const FaultNetwork& faults_;
+  unsigned threads_;
+  std::vector<Index> belt_;
+  std::vector<std::size_t> first_; ///< the neighbours of belt_[i] are neighbors_[first_[i]] to neighbors_[first_[i + 1] - 1]
+  std::vector<Index> neighbors_;
+};
 
 } // namespace graben

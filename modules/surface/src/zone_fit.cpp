@@ -1,10 +1,11 @@
 #include "graben/surface/zone_fit.h"
 
+#include "box_around.h"
+#include "local_faults.h"
 #include "vertex_moves.h"
 
 #include "graben/core/threads.h"
 #include "graben/mesh/normals.h"
-#include "graben/faults/fault_signature.h"
 #include "graben/surface/quadric.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ class ZoneFitter {
 public:
   ZoneFitter(const CutMesh& cut, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
              const ZoneFitOptions& options)
-    : cut_(cut), grid_(grid), planes_(planes), faults_(faults), options_(options), viewpoints_(viewpoints(cut)) {}
+    : cut_(cut), grid_(grid), planes_(planes), faults_(faults), borders_(faults), options_(options), viewpoints_(viewpoints(cut)) {}
 
   /// The new position of a vertex; false if it has too few picks.
   bool fit(Index vertex, Vector3& position, std::vector<Neighbor>& candidates) const {
@@ -48,10 +49,13 @@ private:
       sum = Quadric();
       used = 0;
       grid_.nearest(viewpoint, count, candidates, radius);
+      if (candidates.empty())
+        return 0;
+      const LocalFaults sides(faults_, borders_, boxAround(viewpoint, 1.001 * std::sqrt(candidates.back().squared_distance)));
       for (const Neighbor& c : candidates) {
         const auto i = static_cast<std::size_t>(c.index);
         const Vector3& n = planes_.normals[i];
-        if (!(n.x() == n.x()) || !sameSide(faults_, grid_.points()[i], viewpoint))
+        if (!(n.x() == n.x()) || (!sides.empty() && !sides.sameSide(grid_.points()[i], viewpoint)))
           continue;
         sum.addPlane(grid_.points()[i] - at, n);
         if (++used == options_.neighbors)
@@ -75,6 +79,7 @@ private:
   const NeighborGrid& grid_;
   const TangentPlanes& planes_;
   const FaultNetwork& faults_;
+  FaultBorders borders_;
   const ZoneFitOptions& options_;
   Points viewpoints_;
 };
@@ -118,6 +123,7 @@ ZoneFitResult fitZone(CutMesh& cut, const NeighborGrid& grid, const TangentPlane
   if (options.mode == FitMode::Off)
     return result;
   const std::vector<Index> zone = zoneVertices(cut, faults, options);
+  const VertexMover mover(cut, faults, options.threads);
   for (unsigned pass = 0; pass < options.passes; ++pass) {
     computeVertexNormals(cut.mesh, options.threads);
     const ZoneFitter fitter(cut, grid, planes, faults, options);
@@ -135,7 +141,7 @@ ZoneFitResult fitZone(CutMesh& cut, const NeighborGrid& grid, const TangentPlane
         targets[static_cast<std::size_t>(zone[i])] = moved[i];
       ++(done[i] != 0 ? result.fitted : result.without_picks);
     }
-    moveVertices(cut, faults, std::move(targets), options.threads);
+    mover.move(cut, std::move(targets));
   }
   return result;
 }

@@ -20,8 +20,7 @@ struct FaultCutOptions {
 /// \throw InvalidInputError if the mesh is not valid (see validate)
 CutMesh cutAlongFaults(const TriangleMesh& mesh, const FaultNetwork& faults, const FaultCutOptions& options);
 
-/// The same for sheets, which are best moved in: what lies beyond the fault, seen from the sheet's own corners, is left out, so that each sheet ends at
-/// the fault.
-CutMesh cutSheets(SheetMesh sheets, const FaultNetwork& faults, const FaultCutOptions& options);
+/// The same for sheets: what lies beyond the fault, seen from the sheet's own corners, is left out, so that each sheet ends at the fault.
+CutMesh cutSheets(const SheetMesh& sheets, const FaultNetwork& faults, const FaultCutOptions& options);
 
 } // namespace graben

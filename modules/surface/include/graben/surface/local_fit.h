@@ -3,12 +3,22 @@
 #include "graben/features/tangent_planes.h"
 #include "graben/surface/cut_mesh.h"
 
+#include <array>
+#include <memory>
+
 namespace graben {
+
+class FaultBorders;
+
+namespace detail {
+class NormalEquations;
+}
 
 /// How a place of the surface is estimated from the picks around it.
 struct LocalModel {
-  int degree = 1;             ///< of the polynomial height over the tangent plane: 1 (plane) or 2 (quadric)
+  int degree = 1;             ///< of the polynomial height over the tangent plane: 1 (plane), 2 (quadric) or 3 (cubic)
   std::size_t neighbors = 40; ///< picks of the same side it is fitted to
+  double slope_weight = 0.0;  ///< of a measured slope (TangentPlanes::measured) against a height: (error of a height / error of a slope)^2
 };
 
 /// The estimate at a place.
@@ -19,16 +29,41 @@ struct LocalEstimate {
   double leverage = 0.0;                ///< weight that the pick asked for has in the estimate at its own foot, 0 to 1
 };
 
+/// A piece of surface about a place: a polynomial height over a plane.
+struct LocalSurface {
+  bool valid = false;
+  Vector3 centre = Vector3::Zero();
+  Vector3 u = Vector3::UnitX(); ///< u, v and normal: right-handed unit axes
+  Vector3 v = Vector3::UnitY();
+  Vector3 normal = Vector3::UnitZ();
+  double radius = 1.0;                      ///< of the support, in the picks' units; heights are polynomials of u / radius and v / radius
+  std::array<double, 10> coefficients{};    ///< of 1, u, v, u^2, u v, v^2, u^3, ...
+
+  /// From a place along a unit direction to the surface, and the surface's normal there (on the direction's side).
+  LocalEstimate from(const Vector3& place, const Vector3& direction) const;
+};
+
+/// A surface not yet fitted, over the plane through a place with that unit normal.
+LocalSurface frameAt(const Vector3& centre, const Vector3& normal);
+
 /// A weighted least-squares polynomial through the nearest picks on the same side of the faults: averages noise instead of copying it.
 ///
-/// Thread-safe; holds references. Cost per estimate: one neighbour query, one crossing test per pick near faults, one 6 x 6 solve.
+/// The support is a disc that holds the picks wanted, their weights fall smoothly to 0 at its rim. Picks that lie off all others there (blunders) are
+/// left out. Where normals were measured (dips) the polynomial's slope is fitted to them too. Thread-safe; holds references. Cost per estimate: one
+/// neighbour query, one test of sight per pick near faults, a few multiplications per pick.
 class LocalFit {
 public:
+  /// \param[in] search_radius no pick farther than this is used, in the picks' units
   LocalFit(const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults, double search_radius);
 
+  /// Working memory, kept by the caller from call to call; after gather() the picks found, one array per quantity.
   struct Scratch {
-    std::vector<Neighbor> candidates;
-    std::vector<Neighbor> picks;
+    PointsAround around;
+    std::size_t count = 0;
+    std::vector<double> u, v, height, squared; ///< in the frame of the plane given; distance squared within that plane
+    std::vector<Index> index;
+    std::vector<double> scaled_u, scaled_v, weight, residual, spare;
+    double pace = 0.0; ///< radius per square root of a pick, of the last query
   };
 
   /// \param[in] at        where the estimate is wanted
@@ -38,29 +73,48 @@ public:
   LocalEstimate at(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, const LocalModel& model, Scratch& scratch,
                    Index own = -1) const;
 
+  /// The surface about a place, over the plane with that normal; arguments as for at().
+  LocalSurface around(const Vector3& centre, const Vector3& viewpoint, const Vector3& normal, const LocalModel& model, Scratch& scratch) const;
+
+  /// The two halves of around(): the picks of the same side in a disc that holds the number wanted (or all in reach) ...
+  /// \return the disc's radius; 0 if no pick is in reach
+  double gather(LocalSurface& frame, const Vector3& viewpoint, std::size_t wanted, Scratch& scratch) const;
+  /// ... and the polynomial through those within surface.radius.
+  /// \param[in] own      pick whose leverage is wanted, -1 for none
+  /// \return its leverage
+  double solve(LocalSurface& surface, const LocalModel& model, Scratch& scratch, Index own = -1) const;
+
+  static constexpr double kRim = 1.1; ///< squared radius of a disc that holds just the picks wanted, over that of the last one
+
   const NeighborGrid& grid() const { return grid_; }
   const TangentPlanes& planes() const { return planes_; }
   const FaultNetwork& faults() const { return faults_; }
 
 private:
-  void gather(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, std::size_t count, Scratch& scratch) const;
+  struct Support;
+  void addSlopes(const LocalSurface& surface, double weight, const Scratch& scratch, Index own, detail::NormalEquations& equations) const;
+  void collect(const LocalSurface& frame, const Vector3& viewpoint, double radius, Scratch& scratch) const;
 
   const NeighborGrid& grid_;
   const TangentPlanes& planes_;
   const FaultNetwork& faults_;
   double search_radius_;
+  std::shared_ptr<const FaultBorders> borders_;
+  std::vector<bool> measured_; ///< for each pick whether its normal was measured; empty if none was
+  double pace_;                ///< radius per square root of a pick, of the whole cloud
 };
 
-/// The models that predict left-out picks best: one away from the faults and one near them, where picks lie on one side only.
+/// The models that predict left-out picks best: away from the faults, near them, and at the data's edge, where picks lie on one side only.
 struct ModelChoice {
   LocalModel away;
   LocalModel near;
   double error_away = 0.0; ///< RMS of the left-out picks, noise included, in the picks' units
   double error_near = 0.0;
+  LocalModel edge = {};
 };
 
-/// Chooses the support from the data by leave-one-out prediction of up to 2,000 picks of each kind: without noise few picks and a quadric win and detail
-/// is kept; with noise more picks win until the surface's own curvature tells.
+/// Chooses the support from the data by leave-one-out prediction of up to 1,500 picks of each kind: without noise few picks and a high degree win and
+/// detail is kept; with noise more picks win until the surface's own curvature tells.
 /// \param[in] zone_width picks within this distance of a fault count as near
 ModelChoice chooseModels(const LocalFit& fit, double zone_width, unsigned threads);
 
@@ -73,6 +127,9 @@ struct RefineOptions {
 };
 
 /// Moves every vertex onto the locally fitted surface of its own side: along its normal, or, on a fault, within the fault.
+///
+/// The mesh's normals are then those of the fitted surface at the vertices (where there are picks to say so), no longer those of the triangles.
+/// Passes after the first move the vertices near faults only. Cost: in proportion to the picks and vertices, whatever the support.
 void refine(CutMesh& cut, const LocalFit& fit, const RefineOptions& options);
 
 } // namespace graben

@@ -1,0 +1,116 @@
+#include "surface_patches.h"
+
+#include "box_around.h"
+
+#include "graben/core/threads.h"
+#include "graben/faults/fault_signature.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graben::detail {
+
+namespace {
+
+constexpr double kPerSupport = 6.0; // patches in the support of one
+constexpr double kShare = 0.75;     // of its support's radius to which a patch is used
+constexpr double kLeastWeight = 0.05; // of all patches together, for a place among the picks
+constexpr double kTilt = 0.95; // cosine of the angle between a patch's plane and its surface beyond which it is fitted again
+constexpr double kNormalLimit = 0.34;
+
+/// Where the picks of a patch just fitted are on the mean: beside a fault or at the data's edge not where the patch was wanted.
+Vector3 centroid(const LocalSurface& patch, const LocalFit::Scratch& s) {
+  double u = 0.0, v = 0.0, total = 0.0;
+  for (std::size_t i = 0; i < s.count; ++i) {
+    u += s.weight[i] * s.u[i];
+    v += s.weight[i] * s.v[i];
+    total += s.weight[i];
+  }
+  return patch.centre + u / total * patch.u + v / total * patch.v + patch.coefficients[0] * patch.normal;
+}
+
+} // namespace
+
+SurfacePatches::SurfacePatches(const LocalFit& fit, const ModelChoice& models, double near_distance, unsigned threads) : fit_(fit) {
+  choosePicks(models, near_distance, threads);
+  patches_.resize(picks_.size());
+  centres_.assign(picks_.size(), Vector3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  parallelBlocks(picks_.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
+    LocalFit::Scratch scratch;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto p = static_cast<std::size_t>(picks_[i]);
+      const Vector3& pick = fit.grid().points()[p];
+      LocalSurface& patch = patches_[i];
+      patch = fit.around(fit.planes().centres[p], pick, fit.planes().normals[p], models_[i], scratch);
+      if (!patch.valid)
+        continue;
+      const LocalEstimate e = patch.from(patch.centre, patch.normal);
+      if (e.valid && e.normal.dot(patch.normal) < kTilt)
+        patch = fit.around(patch.centre + e.offset * patch.normal, pick, e.normal, models_[i], scratch);
+      if (patch.valid)
+        centres_[i] = centroid(patch, scratch);
+    }
+  });
+  for (const LocalSurface& patch : patches_)
+    widest_ = std::max(widest_, patch.valid ? kShare * patch.radius : 0.0);
+  grid_ = NeighborGrid(centres_, 0.0, threads);
+}
+
+void SurfacePatches::choosePicks(const ModelChoice& models, double near_distance, unsigned threads) {
+  const auto stepOf = [](const LocalModel& m) { return std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(m.neighbors) / kPerSupport)); };
+  const FaultNetwork& faults = fit_.faults();
+  const std::size_t away_step = stepOf(models.away), near_step = faults.empty() ? away_step : stepOf(models.near);
+  const std::size_t step = std::min(away_step, near_step);
+  const std::vector<Index>& order = fit_.grid().order();
+  std::vector<std::uint8_t> kind(order.size() / step + 1, 0); // 1: away, 2: near
+  parallelFor(kind.size(), 256, threads, [&](std::size_t i) {
+    const std::size_t at = i * step;
+    if (at >= order.size() || !fit_.planes().normals[static_cast<std::size_t>(order[at])].allFinite())
+      return;
+    const bool near = !faults.empty() && faults.nearest(fit_.grid().points()[static_cast<std::size_t>(order[at])], near_distance).fault >= 0;
+    const std::size_t wanted = near ? near_step : away_step;
+    if (at / wanted != (at + step) / wanted) // the last multiple of step before a multiple of the step wanted
+      kind[i] = !worthwhile(near ? models.near : models.away) ? 0 : near ? 2 : 1;
+  });
+  for (std::size_t i = 0; i < kind.size(); ++i)
+    if (kind[i] != 0) {
+      picks_.push_back(order[i * step]);
+      models_.push_back(kind[i] == 2 ? models.near : models.away);
+    }
+}
+
+LocalEstimate SurfacePatches::at(const Vector3& place, const Vector3& viewpoint, const Vector3& direction, Scratch& scratch) const {
+  grid_.collectWithin(place, scratch.reach > 0.0 ? scratch.reach : widest_, scratch.around);
+  const FaultNetwork& faults = fit_.faults();
+  const bool near_faults = !faults.empty() && scratch.around.count > 0 && faults.mayTouch(boxAround(place, widest_));
+  LocalEstimate mean;
+  mean.normal.setZero();
+  double total = 0.0, reach = 0.0;
+  for (std::size_t i = 0; i < scratch.around.count; ++i) {
+    const auto p = static_cast<std::size_t>(scratch.around.index[i]);
+    const LocalSurface& patch = patches_[p];
+    const double own_reach = kShare * patch.radius;
+    const double share = scratch.around.squared_distance[i] / (own_reach * own_reach);
+    if (share >= 1.0 || patch.normal.dot(direction) < kNormalLimit)
+      continue;
+    if (near_faults && !sameSide(faults, fit_.grid().points()[static_cast<std::size_t>(picks_[p])], viewpoint))
+      continue;
+    const LocalEstimate e = patch.from(place, direction);
+    if (!e.valid)
+      continue;
+    const double weight = (1.0 - share) * (1.0 - share);
+    reach = std::max(reach, own_reach);
+    mean.offset += weight * e.offset;
+    mean.normal += weight * e.normal;
+    total += weight;
+  }
+  scratch.reach = reach > 0.0 ? std::min(widest_, 1.5 * reach) : 0.0;
+  if (total < kLeastWeight)
+    return mean;
+  mean.offset /= total;
+  mean.normal.normalize();
+  mean.valid = true;
+  return mean;
+}
+
+} // namespace graben::detail

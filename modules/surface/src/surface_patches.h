@@ -1,0 +1,41 @@
+#pragma once
+
+#include "graben/surface/local_fit.h"
+
+namespace graben::detail {
+
+/// Fitted pieces of surface spread evenly over the picks, each about a pick of its own, which overlap so that every place among the picks has a few:
+/// their weighted mean is the surface there, smooth from place to place, at a fraction of the cost of a fit of its own for every place.
+///
+/// Thread-safe after construction; holds references. The cost of building them is in proportion to the picks, whatever the supports.
+class SurfacePatches {
+public:
+  /// \param[in] near_distance picks within this distance of a fault take the near model
+  SurfacePatches(const LocalFit& fit, const ModelChoice& models, double near_distance, unsigned threads);
+
+  /// Whether a support is so wide that patches cost less than a fit for every place: otherwise what there is to see is as small as the support, and
+  /// patches would blur it. No patches are made of such a model.
+  static bool worthwhile(const LocalModel& model) { return model.neighbors > 45; }
+
+  struct Scratch {
+    PointsAround around;
+    double reach = 0.0;
+  };
+
+  /// The patches' surface as seen from a place along a unit direction; not valid where none reaches.
+  /// \param[in] viewpoint from where it is asked which patches lie on the same side of the faults
+  LocalEstimate at(const Vector3& place, const Vector3& viewpoint, const Vector3& direction, Scratch& scratch) const;
+
+private:
+  void choosePicks(const ModelChoice& models, double near_distance, unsigned threads);
+
+  const LocalFit& fit_;
+  std::vector<Index> picks_;
+  std::vector<LocalModel> models_;
+  std::vector<LocalSurface> patches_;
+  Points centres_; ///< of each patch's picks; NaN where there is no patch
+  NeighborGrid grid_;
+  double widest_ = 0.0; ///< reach of the widest patch
+};
+
+} // namespace graben::detail
