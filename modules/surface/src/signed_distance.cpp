@@ -15,6 +15,7 @@ namespace {
 constexpr double kDegree = M_PI / 180.0;
 constexpr double kWidestGap = 150.0 * kDegree;        // between the directions to the picks around a place inside the data
 constexpr double kWidestGapAtFault = 100.0 * kDegree; // the same where faults close the ring
+constexpr double kFewOfOwnSide = 0.2;                 // of the picks around, on both sides of the faults
 constexpr std::size_t kEnclosingPicks = 24;
 constexpr int kRays = 16;
 constexpr double kSlack = 2.0;     // voxels by which what is looked up about faults reaches farther, so that it serves the next place too
@@ -177,16 +178,17 @@ bool SignedDistance::insideOutline(const Vector3& place, const Vector3& normal, 
   focusFaults(boxAround(place, 0.0), scratch);
   const LocalFaults& faults = scratch.around->faults;
   grid_.within(place, options_.fault_reach, scratch.candidates);
+  const auto all = static_cast<double>(scratch.candidates.size());
   Vector3 centre = Vector3::Zero();
-  bool both_sides = false;
+  double own = 0.0;
   for (const Neighbor& c : scratch.candidates) {
     const Vector3& pick = grid_.points()[static_cast<std::size_t>(c.index)];
-    centre += pick;
-    both_sides = both_sides || !faults.sameSide(pick, place);
+    centre += pick / all;
+    own += faults.sameSide(pick, place) ? 1.0 : 0.0;
   }
-  if (!both_sides)
+  // Few picks of the place's own side may be strays across the fault: then they must lie all round, up to the faults.
+  if (own == all || own < kFewOfOwnSide * all)
     return enclosed(place, normal, scratch);
-  centre /= static_cast<double>(scratch.candidates.size());
   const double distance = (centre - place).norm();
   if (distance <= near)
     return true;
