@@ -1,5 +1,7 @@
-#include "evaluation.h"
 #include "reconstruction_job.h"
+
+#include "against_picks.h"
+#include "evaluation.h"
 
 #include "graben/analysis/approximation_error.h"
 #include "graben/analysis/bridges.h"
@@ -122,10 +124,12 @@ void ReconstructionJob::tidy() {
     computeVertexNormals(cut_.mesh, options_.threads);
     relaxTriangles(cut_, turnedTriangles(cut_, true));
     relaxTriangles(cut_, foldedTriangles(cut_.mesh));
+    relaxTriangles(cut_, trianglesAgainstPicks(cut_, grid_, planes_.normals, result_.report.used.fault_reach));
   }
   computeVertexNormals(cut_.mesh, options_.threads);
   result_.report.folds_removed = remove(turnedTriangles(cut_, true));
   result_.report.folds_removed += remove(foldedTriangles(cut_.mesh));
+  result_.report.folds_removed += remove(trianglesAgainstPicks(cut_, grid_, planes_.normals, result_.report.used.fault_reach));
   const double tolerance = kOnFault * result_.report.used.voxel_size;
   if (!faults_.empty())
     result_.report.bridges_removed = remove(bridgingTriangles(cut_.mesh, faults_, tolerance, options_.threads));

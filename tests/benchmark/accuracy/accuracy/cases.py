@@ -54,7 +54,7 @@ def _density():
             yield Case("density", f"picks-{picks}-{kind}", f"{kind}, {picks} picks, h estimated", ("--kind", kind, "--picks", str(picks)))
     yield Case("density", "uneven", "normal, density varies tenfold", ("--kind", "normal", "--uneven", "1"))
     yield Case("density", "gap", "normal, no picks within 2 spacings of the fault", ("--kind", "normal", "--gap", f"{2 * SPACING:.3f}"))
-    yield Case("density", "hole", "normal, no picks in a disc of 150 m on the fault", ("--kind", "normal", "--hole", "50,0,150"))
+    yield Case("density", "hole", "normal, no picks in a disc 4 spacings wide at the fault", ("--kind", "normal", "--hole", f"50,0,{2 * SPACING:.3f}"))
 
 
 def _dip():
@@ -88,8 +88,6 @@ def _short_sticks():
         yield Case("sticks", f"sticks-{name}", f"normal, {title}", ("--kind", "normal", "--overhang", overhang), faults="pol",
                    judged_by=("--overhang", "150"))
     yield Case("sticks", "sticks-tip", "tip, from sticks", ("--kind", "tip"), faults="pol")
-    yield Case("sticks", "sticks-strike", "normal, sticks end 100 m inside the area's edge", ("--kind", "normal", "--strike-overhang", "-100"),
-               faults="pol", judged_by=("--strike-overhang", "300"))
 
 
 def _meshes():
