@@ -92,6 +92,11 @@ private:
         return fit_.at(at, viewpoint, normal, model, scratch);
     }
     const LocalEstimate e = patches_.at(at, viewpoint, normal, patch_scratch);
+    if (e.valid && patch_scratch.narrower > 0) {
+      const LocalEstimate own = fit_.at(at, viewpoint, normal, {2, patch_scratch.narrower, models.near.slope_weight}, scratch);
+      if (own.valid)
+        return own;
+    }
     return e.valid ? e : fit_.at(at, viewpoint, normal, isNear(at) ? beyond(models.near) : models.edge, scratch);
   }
 

@@ -17,6 +17,8 @@ constexpr double kShare = 0.75;     // of its support's radius to which a patch 
 constexpr double kLeastWeight = 0.05; // of all patches together, for a place among the picks
 constexpr double kTilt = 0.95; // cosine of the angle between a patch's plane and its surface beyond which it is fitted again
 constexpr double kNormalLimit = 0.34;
+constexpr std::size_t kNarrowest = 14;
+constexpr double kTellsApart = 3.5; // standard deviations by which a narrow support's height must differ to be believed
 
 /// Where the picks of a patch just fitted are on the mean: beside a fault or at the data's edge not where the patch was wanted.
 Vector3 centroid(const LocalSurface& patch, const LocalFit::Scratch& s) {
@@ -29,11 +31,29 @@ Vector3 centroid(const LocalSurface& patch, const LocalFit::Scratch& s) {
   return patch.centre + u / total * patch.u + v / total * patch.v + patch.coefficients[0] * patch.normal;
 }
 
+/// The number of picks of the largest support, each a quarter of the one before, that tells no other height than a quarter of itself does, in view of
+/// the picks' error; 0 if it is the patch's own.
+std::size_t narrowerSupport(const LocalFit& fit, LocalSurface patch, LocalModel model, Index pick, double error, LocalFit::Scratch& scratch) {
+  std::size_t found = 0;
+  model.degree = std::min(model.degree, 2);
+  for (int round = 0; round < 2 && model.neighbors >= 4 * kNarrowest; ++round) {
+    model.neighbors /= 4;
+    const double height = patch.coefficients[0];
+    patch.radius *= 0.5;
+    const double leverage = fit.solve(patch, model, scratch, pick);
+    if (!patch.valid || !(std::abs(patch.coefficients[0] - height) > kTellsApart * error * std::sqrt(leverage)) || leverage == 0.0)
+      break;
+    found = model.neighbors;
+  }
+  return found;
+}
+
 } // namespace
 
 SurfacePatches::SurfacePatches(const LocalFit& fit, const ModelChoice& models, double near_distance, unsigned threads) : fit_(fit) {
   choosePicks(models, near_distance, threads);
   patches_.resize(picks_.size());
+  narrower_.assign(picks_.size(), 0);
   centres_.assign(picks_.size(), Vector3::Constant(std::numeric_limits<double>::quiet_NaN()));
   parallelBlocks(picks_.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
     LocalFit::Scratch scratch;
@@ -47,8 +67,11 @@ SurfacePatches::SurfacePatches(const LocalFit& fit, const ModelChoice& models, d
       const LocalEstimate e = patch.from(patch.centre, patch.normal);
       if (e.valid && e.normal.dot(patch.normal) < kTilt)
         patch = fit.around(patch.centre + e.offset * patch.normal, pick, e.normal, models_[i], scratch);
-      if (patch.valid)
-        centres_[i] = centroid(patch, scratch);
+      if (!patch.valid)
+        continue;
+      centres_[i] = centroid(patch, scratch);
+      const double error = is_near_[i] != 0 ? models.error_near : models.error_away;
+      narrower_[i] = error > 0.0 ? static_cast<std::uint16_t>(narrowerSupport(fit, patch, models_[i], picks_[i], error, scratch)) : 0;
     }
   });
   for (const LocalSurface& patch : patches_)
@@ -76,6 +99,7 @@ void SurfacePatches::choosePicks(const ModelChoice& models, double near_distance
     if (kind[i] != 0) {
       picks_.push_back(order[i * step]);
       models_.push_back(kind[i] == 2 ? models.near : models.away);
+      is_near_.push_back(kind[i] == 2 ? 1 : 0);
     }
 }
 
@@ -85,7 +109,8 @@ LocalEstimate SurfacePatches::at(const Vector3& place, const Vector3& viewpoint,
   const bool near_faults = !faults.empty() && scratch.around.count > 0 && faults.mayTouch(boxAround(place, widest_));
   LocalEstimate mean;
   mean.normal.setZero();
-  double total = 0.0, reach = 0.0;
+  double total = 0.0, reach = 0.0, too_wide = 0.0;
+  scratch.narrower = 0;
   for (std::size_t i = 0; i < scratch.around.count; ++i) {
     const auto p = static_cast<std::size_t>(scratch.around.index[i]);
     const LocalSurface& patch = patches_[p];
@@ -103,7 +128,13 @@ LocalEstimate SurfacePatches::at(const Vector3& place, const Vector3& viewpoint,
     mean.offset += weight * e.offset;
     mean.normal += weight * e.normal;
     total += weight;
+    if (narrower_[p] != 0) {
+      too_wide += weight;
+      scratch.narrower = std::max<std::size_t>(scratch.narrower, narrower_[p]);
+    }
   }
+  if (too_wide < 0.5 * total)
+    scratch.narrower = 0;
   scratch.reach = reach > 0.0 ? std::min(widest_, 1.5 * reach) : 0.0;
   if (total < kLeastWeight)
     return mean;

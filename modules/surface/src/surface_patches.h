@@ -2,6 +2,8 @@
 
 #include "graben/surface/local_fit.h"
 
+#include <cstdint>
+
 namespace graben::detail {
 
 /// Fitted pieces of surface spread evenly over the picks, each about a pick of its own, which overlap so that every place among the picks has a few:
@@ -20,6 +22,7 @@ public:
   struct Scratch {
     PointsAround around;
     double reach = 0.0;
+    std::size_t narrower = 0; ///< picks of the support that the place last asked for needs, where the surface bends more sharply than elsewhere; 0: it doesn't
   };
 
   /// The patches' surface as seen from a place along a unit direction; not valid where none reaches.
@@ -32,6 +35,8 @@ private:
   const LocalFit& fit_;
   std::vector<Index> picks_;
   std::vector<LocalModel> models_;
+  std::vector<std::uint8_t> is_near_;
+  std::vector<std::uint16_t> narrower_; ///< support that suits better, 0: the patch's own
   std::vector<LocalSurface> patches_;
   Points centres_; ///< of each patch's picks; NaN where there is no patch
   NeighborGrid grid_;

@@ -150,6 +150,22 @@ TEST(Refine, BlundersDoNotPullTheSurface) {
   EXPECT_LT(field.rms(with.mesh), 1.25 * field.rms(without.mesh));
 }
 
+TEST(Refine, ASharpBendInASmoothSurfaceIsKept) {
+  const auto bump = [](double x, double y) { return gentle(x, y) + 1.5 * std::exp(-(x * x + y * y) / 3.0); };
+  const Field field(bump, 0.1);
+  const RefineOptions options = field.options();
+  EXPECT_GT(options.models.away.neighbors, 45U) << "the support suits the most of the surface";
+  CutMesh cut = field.start(0.1);
+  refine(cut, field.fit(), options);
+  double sum = 0.0, count = 0.0;
+  for (const Vector3& v : cut.mesh.vertices)
+    if (v.head<2>().norm() < 3.0) {
+      sum += std::pow(v.z() - bump(v.x(), v.y()), 2);
+      count += 1.0;
+    }
+  EXPECT_LT(std::sqrt(sum / count), 0.15);
+}
+
 TEST(Refine, SidesOfAFaultStayApart) {
   const auto step = [](double x, double) { return x < 0.0 ? 1.0 : -1.0; };
   const Field field(step, 0.05, {test::dippingFault(-40.0, 40.0, 15.0, 90.0)});
