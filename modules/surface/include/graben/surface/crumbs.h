@@ -11,7 +11,8 @@ std::size_t removeCrumbs(CutMesh& cut, std::size_t least);
 /// The triangles turned by more than 75 degrees from the mean of their corners' normals, in rising order: small folds that the fit made.
 /// \param[in] cut        with up-to-date vertex normals
 /// \param[in] at_border  only those with an edge on the mesh's border
-std::vector<Index> turnedTriangles(const CutMesh& cut, bool at_border);
+/// \param[in] threads    0: one per processor; the result is the same for every number
+std::vector<Index> turnedTriangles(const CutMesh& cut, bool at_border, unsigned threads = 0);
 
 /// Moves the corners of the triangles named, those on no fault, to the mean of their neighbours.
 void relaxTriangles(CutMesh& cut, const std::vector<Index>& triangles);
