@@ -23,6 +23,7 @@ using detail::SheetBeyond;
 constexpr std::size_t GRAIN = 64;
 constexpr double BAND = 4.0, BIN = 0.5, TOLERANCE = 0.1; // mean distances
 constexpr double DEVIATIONS = 4.0;                       ///< of noise that a good pick may be off
+constexpr double SUSPECT_DEVIATIONS = 2.5;               ///< of noise that make a pick suspect that noise may have carried through a fault
 constexpr double SLOPE_CHANGE = 0.075; ///< of the surface between a pick and its neighbours
 constexpr double MOST_LEVERAGE = 4.0;  ///< of a plane that can be relied on
 constexpr double LEAST_COSINE = 0.3;   ///< of the angle between two sheets that can be compared
@@ -149,12 +150,17 @@ private:
     }
   }
 
-  double tolerance(const PlaneAt& plane) const {
+  double tolerance(const PlaneAt& plane, double deviations = DEVIATIONS) const {
     return std::max({options_.tolerance, SLOPE_CHANGE * plane.reach,
-                     DEVIATIONS * options_.sigma * std::sqrt(1.0 + plane.leverage)});
+                     deviations * options_.sigma * std::sqrt(1.0 + plane.leverage)});
   }
 
-  bool agrees(const PlaneAt& plane) const { return std::abs(plane.offset) <= tolerance(plane); }
+  bool agrees(const PlaneAt& plane, double deviations = DEVIATIONS) const {
+    return std::abs(plane.offset) <= tolerance(plane, deviations);
+  }
+
+  /// True if noise may have carried the pick through a fault.
+  bool mayHaveCrossed(double distance) const { return distance < options_.sigma; }
 
   /// True if the plane is not from so far away that it could be anywhere.
   bool isSure(const PlaneAt& plane) const { return plane.valid && plane.leverage < MOST_LEVERAGE; }
@@ -173,18 +179,20 @@ private:
     parallelBlocks(bin.size(), GRAIN, options_.threads, [&](std::size_t begin, std::size_t end) {
       PickSupport support(field_);
       for (std::size_t i = begin; i < end; ++i) {
-        const Vector3& pick = grid_.points()[static_cast<std::size_t>(bin[i])];
+        const auto index = static_cast<std::size_t>(bin[i]);
+        const Vector3& pick = grid_.points()[index];
+        const double deviations = mayHaveCrossed(field_.distances[index]) ? SUSPECT_DEVIATIONS : DEVIATIONS;
         if (i > begin && pick == grid_.points()[static_cast<std::size_t>(bin[i - 1])])
           found[i] = found[i - 1];
         else
-          found[i] = agreesWithItsSheet(pick, support) ? PickState::Trusted : PickState::Suspect;
+          found[i] = agreesWithItsSheet(pick, deviations, support) ? PickState::Trusted : PickState::Suspect;
       }
     });
     for (std::size_t i = 0; i < bin.size(); ++i)
       field_.states[static_cast<std::size_t>(bin[i])] = found[i];
   }
 
-  bool agreesWithItsSheet(const Vector3& pick, PickSupport& support) const {
+  bool agreesWithItsSheet(const Vector3& pick, double deviations, PickSupport& support) const {
     for (const Vector3& viewpoint : viewpoints(pick)) {
       PlaneAt own = support.ownPlane(viewpoint);
       if (!isSure(own)) {
@@ -194,7 +202,7 @@ private:
         if (!own.valid)
           own = support.consensusPlane(viewpoint);
       }
-      if (own.valid && agrees(own))
+      if (own.valid && agrees(own, deviations))
         return true;
     }
     return false;
@@ -234,12 +242,15 @@ private:
   Verdict verdict(const Vector3& pick, PickSupport& support) const {
     const Vector3 viewpoint = viewpoints(pick).front();
     const PlaneAt own = support.ownPlane(viewpoint);
-    if (isSure(own) && agrees(own))
-      return {PickState::Trusted, -1, 0, -1};
+    const bool good = isSure(own) && agrees(own);
     Verdict best;
+    if (good)
+      best.state = PickState::Trusted;
     for (const SheetBeyond& sheet : support.sheetsBeyond(viewpoint)) {
       const Index fault = faultBefore(sheet, viewpoint);
       const PickState state = fault < 0 ? PickState::Doubtful : stateBeyond(own, sheet.plane);
+      if (good && (state != PickState::WrongSide || agrees(own, SUSPECT_DEVIATIONS) || !agrees(sheet.plane, SUSPECT_DEVIATIONS)))
+        continue;
       if (state != PickState::Doubtful)
         best = {state, fault, sheet.signature, sheet.example};
       if (state == PickState::WrongSide)

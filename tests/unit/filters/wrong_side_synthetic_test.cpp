@@ -68,6 +68,17 @@ TEST(WrongSideSynthetic, FindsPicksThatStandAloneBeyondALargeThrow) {
   EXPECT_EQ(finding.falsely, 0U);
 }
 
+TEST(WrongSideSynthetic, FindsPicksThatNoiseCarriedThroughTheFault) {
+  for (const SyntheticKind kind : {SyntheticKind::Normal, SyntheticKind::Reverse}) {
+    SyntheticOptions options = SyntheticOptions::of(kind);
+    options.noise = 0.5 * options.spacing();
+    const test::Finding finding = search(options);
+    EXPECT_GT(finding.wrong, 40U) << nameOf(kind);
+    EXPECT_GE(100 * finding.found, 70 * finding.wrong) << nameOf(kind);
+    EXPECT_LE(finding.falsely, finding.judged / 1000) << nameOf(kind);
+  }
+}
+
 TEST(WrongSideSynthetic, FollowsAWideStripOfWrongPicksDownToTheFault) {
   SyntheticOptions options = SyntheticOptions::of(SyntheticKind::Listric);
   options.fault_shift = -100.0;

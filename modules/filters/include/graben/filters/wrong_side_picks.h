@@ -50,7 +50,8 @@ struct WrongSideResult {
 /// accepted picks that no fault hides from it. One that does not is flagged only if it agrees with
 /// the surface continued from the other side of a single fault within the band (WrongSide), or lies
 /// between the two (Smeared); else it is good but no other pick is judged by it. The same holds
-/// for a pick with nothing around it on its side to agree with, as beyond a large throw. In wedges that
+/// for a pick with nothing around it on its side to agree with, as beyond a large throw. Within sigma of a fault, where
+/// noise carries picks through it, 2.5 deviations off its own sheet are enough. In wedges that
 /// hold no trusted picks those farthest from the faults are judged by the majority around them.
 /// Points that are not finite, and picks beside a fault (nearest to its border), are never flagged.
 /// Deterministic, the same for any number of threads. O(n) to find the picks in the band, then some
