@@ -5,7 +5,7 @@
 namespace graben {
 
 std::size_t LatticeBlocks::slotFor(std::uint64_t key) const {
-  std::size_t slot = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> 20) & (table_.size() - 1);
+  std::size_t slot = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> table_shift_);
   while (table_[slot] >= 0 && latticeKey((*this)[static_cast<std::size_t>(table_[slot])].at) != key)
     slot = (slot + 1) & (table_.size() - 1);
   return slot;
@@ -14,7 +14,7 @@ std::size_t LatticeBlocks::slotFor(std::uint64_t key) const {
 Index LatticeBlocks::find(const LatticeIndex& at) const { return table_.empty() ? -1 : table_[slotFor(latticeKey(at))]; }
 
 void LatticeBlocks::grow() {
-  table_.assign(table_.empty() ? 1024 : 2 * table_.size(), -1);
+  table_.assign(std::size_t(1) << (64 - --table_shift_), -1);
   for (std::size_t b = 0; b < size_; ++b)
     table_[slotFor(latticeKey((*this)[b].at))] = static_cast<Index>(b);
 }

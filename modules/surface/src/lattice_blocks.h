@@ -128,6 +128,7 @@ private:
   std::vector<std::unique_ptr<LatticeBlock[]>> chunks_; ///< never moved, so that none is held twice
   std::size_t size_ = 0;
   std::vector<Index> table_; ///< open-addressing hash by the block's key
+  unsigned table_shift_ = 54; ///< the table has 2 to the power of 64 less this entries, once it has any
 };
 
 /// A set of cells or vertices per block, for the blocks that have any: what is to be looked at next.
