@@ -46,9 +46,9 @@ void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faul
   clock_.start("orientation");
   orient();
   clock_.start("marching cubes");
-  const SheetMesh sheets = extract();
+  SheetMesh sheets = extract();
   clock_.start("cut");
-  cut(sheets);
+  cut(std::move(sheets));
   clock_.start("fit");
   fit();
   clock_.start("evaluation");
@@ -83,6 +83,7 @@ void ReconstructionJob::prepareParameters() {
   used.orientation = options_.orientation == OrientationMethod::SpanningTree ? "mst" : "up";
   used.z_positive = result_.frame.z_positive == ZPositive::Down ? "down" : "up";
   used.skipped = names(options_.skip);
+  checkVoxelSize(grid_, {used.voxel_size, latticeOrigin()}, rhoPlusDelta(), options_.memory_limit, options_.threads);
 }
 
 void ReconstructionJob::buildFaults(const std::vector<FaultGeometry>& faults) {

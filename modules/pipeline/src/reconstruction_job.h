@@ -35,7 +35,7 @@ private:
 
   // From planes to the surface (surface_stages.cpp)
   SheetMesh extract();
-  void cut(const SheetMesh& sheets);
+  void cut(SheetMesh sheets);
   void fit();
   void refineLocally();
   void tidy();

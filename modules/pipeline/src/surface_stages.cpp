@@ -79,11 +79,11 @@ Vector3 ReconstructionJob::latticeOrigin() const {
   return zero.unaryExpr([h](double x) { return x - h * std::floor(x / h); });
 }
 
-void ReconstructionJob::cut(const SheetMesh& sheets) {
+void ReconstructionJob::cut(SheetMesh sheets) {
   FaultCutOptions o;
   o.tolerance = surface_defaults::kCutTolerance * result_.report.used.voxel_size;
   o.threads = options_.threads;
-  cut_ = cutSheets(sheets, faultsUnless(options_.skip.cut), o);
+  cut_ = cutSheets(std::move(sheets), faultsUnless(options_.skip.cut), o);
   result_.report.crumbs_removed = removeCrumbs(cut_, surface_defaults::kCrumb);
 }
 
