@@ -29,6 +29,8 @@ void say(const ReconstructionResult& result) {
               r.sampling.sigma, r.used.z_positive.c_str());
   if (r.wrong_side_picks + r.smeared_picks > 0)
     std::printf("set aside  %zu picks on the wrong side of a fault, %zu smeared along one\n", r.wrong_side_picks, r.smeared_picks);
+  if (r.measurements > 0)
+    std::printf("dips       %zu of %zu measurements used\n", r.measurements - r.measurements_not_usable - r.measurements_set_aside, r.measurements);
   std::printf("surface    %zu triangles in %zu pieces, voxel size %.4g\n", r.topology.triangles, r.topology.components, r.used.voxel_size);
   std::printf("picks      RMS distance %.4g, 95 %% within %.4g\n", r.all_picks.rms, r.all_picks.p95);
   if (r.extrapolation.vertices > 0)
@@ -53,7 +55,7 @@ ReconstructionResult reconstruct(const OptionValues& values, HorizonInput input)
   ReconstructionOptions options = reconstructionOptions(values, input.picks.z_positive);
   options.keep_picks = values.has("results");
   try {
-    return HorizonReconstruction(options).reconstruct(std::move(input.picks.points), input.faults);
+    return HorizonReconstruction(options).reconstruct(std::move(input.picks.points), input.faults, input.dips);
   } catch (const Error& error) {
     throw Error("reconstructing " + values.text("horizon"), error.what());
   }

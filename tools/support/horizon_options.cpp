@@ -1,6 +1,7 @@
 #include "support/horizon_options.h"
 
 #include "graben/core/memory.h"
+#include "graben/io/dip_reader.h"
 #include "graben/io/fault_reader.h"
 #include "graben/io/pick_reader.h"
 
@@ -27,6 +28,7 @@ void declareHorizonOptions(OptionParser& parser) {
   parser.section("Input")
     .value("horizon", "PICKS", "picks of the horizon: .xyz .txt .csv .poi .pcd .ply .vs")
     .list("fault", "FILE", "faults that cut it: surfaces .ts .ply .obj .stl .vtp .vtk or sticks .pol .pl");
+  parser.list("dips", "FILE", "measured dips of the horizon: tables with columns x y z dip azimuth, or x y z strike dip");
   declareParameterOptions(parser);
 }
 
@@ -62,6 +64,11 @@ HorizonInput readHorizonInput(const OptionValues& values) {
       input.notes.insert(input.notes.end(), fault.notes.begin(), fault.notes.end());
       input.faults.push_back(geometryOf(std::move(fault)));
     }
+  for (const std::string& file : values.texts("dips")) {
+    DipSet set = readDips(file, read);
+    input.notes.insert(input.notes.end(), set.notes.begin(), set.notes.end());
+    input.dips.insert(input.dips.end(), set.dips.begin(), set.dips.end());
+  }
   return input;
 }
 

@@ -10,6 +10,7 @@ namespace graben {
 struct HorizonInput {
   PickSet picks;
   std::vector<FaultGeometry> faults;
+  std::vector<DipMeasurement> dips;
   std::vector<std::string> notes; ///< sentences for the user: what was ignored, dropped or assumed
 };
 

@@ -27,10 +27,11 @@ void checkOptions(const ReconstructionOptions& o) {
 
 HorizonReconstruction::HorizonReconstruction(ReconstructionOptions options) : options_(std::move(options)) {}
 
-ReconstructionResult HorizonReconstruction::reconstruct(Points picks, const std::vector<FaultGeometry>& faults) const {
+ReconstructionResult HorizonReconstruction::reconstruct(Points picks, const std::vector<FaultGeometry>& faults,
+                                                        const std::vector<DipMeasurement>& dips) const {
   checkOptions(options_);
   ReconstructionResult result;
-  ReconstructionJob(options_, result).run(std::move(picks), faults);
+  ReconstructionJob(options_, result).run(std::move(picks), faults, dips);
   return result;
 }
 

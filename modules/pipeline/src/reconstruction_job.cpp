@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <utility>
 
 namespace graben {
 
@@ -28,15 +30,24 @@ std::size_t neighborsFor(double noise_per_distance) {
   return static_cast<std::size_t>(std::lround(std::clamp(per_noise * noise_per_distance, fewest, most)));
 }
 
+constexpr double kMeasurementReach = 2.0; // rho + delta: farther than this from all picks a measurement is not of this horizon
+
+std::string shortNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4g", value);
+  return text;
+}
+
 } // namespace
 
 ReconstructionJob::ReconstructionJob(const ReconstructionOptions& options, ReconstructionResult& result)
   : options_(options), result_(result), clock_(result.report.stages, options.progress) {}
 
-void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faults) {
+void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faults, const std::vector<DipMeasurement>& dips) {
   clock_.start("neighbours");
-  toLocalFrame(std::move(picks));
+  toLocalFrame(std::move(picks), dips);
   prepareParameters();
+  checkMeasurements();
   clock_.start("faults");
   buildFaults(faults);
   clock_.start("wrong-side picks");
@@ -56,13 +67,26 @@ void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faul
   clock_.stop();
 }
 
-void ReconstructionJob::toLocalFrame(Points picks) {
+void ReconstructionJob::toLocalFrame(Points picks, const std::vector<DipMeasurement>& dips) {
   result_.frame = LocalFrame::around(picks, options_.z_positive, options_.z_scale);
-  points_ = std::move(picks);
-  parallelFor(points_.size(), 1 << 14, options_.threads, [&](std::size_t i) { points_[i] = result_.frame.toLocal(points_[i]); });
-  grid_ = NeighborGrid(points_, 0.0, options_.threads);
-  result_.report.picks = points_.size();
-  result_.report.picks_not_finite = points_.size() - grid_.size();
+  picks_ = orderPicks(std::move(picks), dips, result_.frame, options_.threads, result_.report);
+  grid_ = NeighborGrid(picks_.points, 0.0, options_.threads);
+  result_.report.picks = picks_.picks;
+  result_.report.picks_not_finite = picks_.points.size() - grid_.size();
+}
+
+void ReconstructionJob::checkMeasurements() {
+  if (picks_.measured.empty())
+    return;
+  const double reach = kMeasurementReach * rhoPlusDelta();
+  const std::size_t far = dropFarMeasurements(picks_, grid_, reach);
+  result_.report.measurements_not_usable += far;
+  if (far == 0)
+    return;
+  result_.report.warnings.push_back(std::to_string(far) + " of " + std::to_string(result_.report.measurements) +
+                                    " dip measurements are farther than " + shortNumber(reach) +
+                                    " from all picks and were left out; check their coordinates, their units and which way their z grows.");
+  grid_ = NeighborGrid(picks_.points, grid_, options_.threads);
 }
 
 void ReconstructionJob::prepareParameters() {
@@ -90,12 +114,12 @@ void ReconstructionJob::buildFaults(const std::vector<FaultGeometry>& faults) {
   const double reach = result_.report.used.fault_reach;
   const FaultPreparation preparation{reach, mean_distance_};
   faults_ = FaultNetwork(prepareFaults(faults, result_.frame, grid_, preparation, result_.report.warnings), reach);
-  zone_ = zonePicks(points_, faults_, result_.report.used.zone_width, options_.threads);
+  zone_ = zonePicks(picks_.points, faults_, result_.report.used.zone_width, options_.threads);
 }
 
 /// Picks on the wrong side of a fault take no part in the surface; they stay in the results, each with its reason.
 void ReconstructionJob::setWrongSidePicksAside() {
-  result_.pick_reason.assign(points_.size(), PickReason::Good);
+  reasons_.assign(picks_.points.size(), PickReason::Good);
   if (faults_.empty() || options_.skip.wrong_side)
     return;
   WrongSideOptions o;
@@ -104,21 +128,26 @@ void ReconstructionJob::setWrongSidePicksAside() {
   WrongSideResult found = findWrongSidePicks(grid_, faults_, o);
   result_.report.wrong_side_picks = found.wrong_side;
   result_.report.smeared_picks = found.smeared;
-  result_.pick_reason = std::move(found.reasons);
+  reasons_ = std::move(found.reasons);
   if (found.wrong_side + found.smeared == 0)
     return;
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    if (result_.pick_reason[i] != PickReason::Good) {
-      aside_.emplace_back(static_cast<Index>(i), points_[i]);
-      points_[i].setConstant(std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < picks_.points.size(); ++i)
+    if (reasons_[i] != PickReason::Good) {
+      aside_.emplace_back(static_cast<Index>(i), picks_.points[i]);
+      picks_.points[i].setConstant(std::numeric_limits<double>::quiet_NaN());
     }
-  grid_ = NeighborGrid(points_, 0.0, options_.threads);
+  const auto is_aside = [this](const MeasuredNormal& m) { return reasons_[static_cast<std::size_t>(m.pick)] != PickReason::Good; };
+  const auto kept = std::remove_if(picks_.measured.begin(), picks_.measured.end(), is_aside);
+  result_.report.measurements_set_aside = static_cast<std::size_t>(picks_.measured.end() - kept);
+  picks_.measured.erase(kept, picks_.measured.end());
+  grid_ = NeighborGrid(picks_.points, grid_, options_.threads);
 }
 
 void ReconstructionJob::estimateNormals() {
   TangentPlaneOptions o;
   o.neighbors = result_.report.used.neighbors;
   o.rho_plus_delta = rhoPlusDelta();
+  o.measured = picks_.measured;
   o.threads = options_.threads;
   planes_ = estimateTangentPlanes(grid_, faultsUnless(options_.skip.neighbors), o);
 }
@@ -148,12 +177,15 @@ void ReconstructionJob::readThrowsOff() {
   }
 }
 
-void ReconstructionJob::handOutPicks() {
-  parallelFor(points_.size(), 1 << 14, options_.threads, [&](std::size_t i) {
-    points_[i] = result_.frame.toUser(points_[i]);
-    result_.pick_normals[i] = result_.frame.normalToUser(result_.pick_normals[i]);
+void ReconstructionJob::handOutPicks(const std::vector<Index>& pieces) {
+  parallelFor(picks_.points.size(), 1 << 14, options_.threads, [&](std::size_t i) {
+    picks_.points[i] = result_.frame.toUser(picks_.points[i]);
+    normals_[i] = result_.frame.normalToUser(normals_[i]);
   });
-  result_.picks = std::move(points_);
+  result_.picks = inInputOrder(picks_, std::exchange(picks_.points, {}));
+  result_.pick_normals = inInputOrder(picks_, std::exchange(normals_, {}));
+  result_.pick_piece = inInputOrder(picks_, pieces);
+  result_.pick_reason = inInputOrder(picks_, reasons_);
 }
 
 void ReconstructionJob::finish() {
@@ -162,7 +194,7 @@ void ReconstructionJob::finish() {
   computeVertexNormals(cut_.mesh, options_.threads);
   labelPieces(cut_.mesh);
   if (options_.keep_picks)
-    result_.pick_normals = std::move(planes_.normals);
+    normals_ = std::move(planes_.normals);
   planes_ = TangentPlanes();
   ExtrapolationOptions extrapolation;
   extrapolation.limit = rhoPlusDelta();
@@ -170,11 +202,11 @@ void ReconstructionJob::finish() {
   result_.report.extrapolation = markExtrapolation(cut_, grid_, faults_, extrapolation);
   grid_ = NeighborGrid();
   for (const auto& [pick, place] : aside_)
-    points_[static_cast<std::size_t>(pick)] = place;
-  result_.pick_piece = evaluate(cut_, faults_, points_, zone_, options_.threads, result_.report);
+    picks_.points[static_cast<std::size_t>(pick)] = place;
+  const std::vector<Index> pieces = evaluate(cut_, faults_, picks_.points, zone_, options_.threads, result_.report);
   if (options_.keep_picks)
-    handOutPicks();
-  points_ = Points();
+    handOutPicks(pieces);
+  picks_ = OrderedPicks();
   readThrowsOff();
   for (std::size_t f = 0; f < faults_.size(); ++f)
     result_.faults.push_back(toUserFrame(faults_.fault(f), result_.frame));

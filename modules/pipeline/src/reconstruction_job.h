@@ -2,6 +2,7 @@
 
 #include "graben/pipeline/horizon_reconstruction.h"
 
+#include "ordered_picks.h"
 #include "stage_clock.h"
 
 #include "graben/features/neighbor_grid.h"
@@ -19,19 +20,20 @@ public:
   ReconstructionJob(const ReconstructionOptions& options, ReconstructionResult& result);
 
   /// Once only. \throw see HorizonReconstruction::reconstruct
-  void run(Points picks, const std::vector<FaultGeometry>& faults);
+  void run(Points picks, const std::vector<FaultGeometry>& faults, const std::vector<DipMeasurement>& dips);
 
 private:
   // From picks to planes (reconstruction_job.cpp)
-  void toLocalFrame(Points picks);
+  void toLocalFrame(Points picks, const std::vector<DipMeasurement>& dips);
   void prepareParameters();
+  void checkMeasurements();
   void buildFaults(const std::vector<FaultGeometry>& faults);
   void setWrongSidePicksAside();
   void estimateNormals();
   void orient();
   void finish();
   void readThrowsOff();
-  void handOutPicks();
+  void handOutPicks(const std::vector<Index>& pieces);
 
   // From planes to the surface (surface_stages.cpp)
   SheetMesh extract();
@@ -50,13 +52,15 @@ private:
   const ReconstructionOptions& options_;
   ReconstructionResult& result_;
   StageClock clock_;
-  Points points_;                               ///< NaN while a pick is set aside
-  std::vector<std::pair<Index, Vector3>> aside_; ///< picks set aside
+  OrderedPicks picks_;
+  std::vector<PickReason> reasons_;              ///< of each of them
+  std::vector<std::pair<Index, Vector3>> aside_; ///< those set aside
   double mean_distance_ = 0.0;
   NeighborGrid grid_;
   FaultNetwork faults_;
   FaultNetwork no_faults_;
   TangentPlanes planes_;
+  Points normals_;          ///< those of the planes, after the planes have gone
   std::vector<Index> zone_; ///< the paper's X_S, picks set aside included
   CutMesh cut_;
 };

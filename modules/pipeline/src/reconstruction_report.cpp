@@ -63,6 +63,7 @@ Json json(const FaultReport& f, const FaultSeal* seal) {
 std::string toJson(const ReconstructionReport& r, bool with_timings) {
   Json j;
   j["picks"] = {{"count", r.picks}, {"not_finite", r.picks_not_finite}, {"wrong_side", r.wrong_side_picks}, {"smeared", r.smeared_picks}};
+  j["dip_measurements"] = {{"count", r.measurements}, {"not_usable", r.measurements_not_usable}, {"set_aside", r.measurements_set_aside}};
   j["sampling"] = json(r.sampling);
   j["parameters"] = json(r.used);
   j["faults"] = Json::array();

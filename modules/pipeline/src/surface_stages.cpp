@@ -89,7 +89,7 @@ void ReconstructionJob::cut(SheetMesh sheets) {
 
 void ReconstructionJob::fit() {
   const UsedParameters& used = result_.report.used;
-  result_.report.zone_before_fit = zoneError(cut_.mesh, points_, zone_, aside_, options_.threads);
+  result_.report.zone_before_fit = zoneError(cut_.mesh, picks_.points, zone_, aside_, options_.threads);
   if (options_.fit == FitMode::Off)
     return;
   ZoneFitOptions zone;

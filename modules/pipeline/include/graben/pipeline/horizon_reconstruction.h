@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/dip.h"
 #include "graben/core/local_frame.h"
 #include "graben/core/progress.h"
 #include "graben/faults/fault_network.h"
@@ -72,9 +73,12 @@ public:
 
   /// \param[in] picks  in the user's frame, double; points that are not finite are left out. Moved in, they take no memory twice
   /// \param[in] faults in the user's frame; may be empty: a general Hoppe reconstruction with holes left open
+  /// \param[in] dips   places on the horizon, in the user's frame, with the horizon's measured normal: they join the picks, and the surface around
+  ///                   them turns towards the normal. Those that are not finite or far from all picks are left out with a warning; those on the
+  ///                   wrong side of a fault are set aside as picks are
   /// \throw InvalidInputError if there are fewer than three distinct picks, all are on a line, a fault cannot be used or an option is out of range
   /// \throw ResourceError     if the voxel size makes the job too large for the memory limit
-  ReconstructionResult reconstruct(Points picks, const std::vector<FaultGeometry>& faults = {}) const;
+  ReconstructionResult reconstruct(Points picks, const std::vector<FaultGeometry>& faults = {}, const std::vector<DipMeasurement>& dips = {}) const;
 
   const ReconstructionOptions& options() const { return options_; }
 

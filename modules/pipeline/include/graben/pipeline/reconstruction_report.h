@@ -59,6 +59,9 @@ struct ReconstructionReport {
   std::size_t picks_not_finite = 0;
   std::size_t wrong_side_picks = 0;      ///< picks set aside because they lie on the wrong side of a fault
   std::size_t smeared_picks = 0;         ///< picks set aside because they lie between the two sheets at a fault
+  std::size_t measurements = 0;            ///< dip measurements given
+  std::size_t measurements_not_usable = 0; ///< of these left out: not finite, or far from all picks
+  std::size_t measurements_set_aside = 0;  ///< of these set aside as picks are; they count there too
   Sampling sampling;
   UsedParameters used;
   std::vector<FaultReport> faults;
