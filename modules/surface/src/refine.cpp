@@ -4,6 +4,7 @@
 #include "graben/surface/zone_fit.h"
 
 #include "surface_patches.h"
+#include "tip_lines.h"
 #include "vertex_moves.h"
 
 #include <Eigen/Geometry>
@@ -40,11 +41,14 @@ LocalModel beyond(LocalModel model) {
   return model;
 }
 
+constexpr std::size_t kLeastAtTip = 24; // picks in a support next to a tip
+
 /// Moves the vertices named, all away from the belt and any within it, to the surface as the patches or a fit of their own tell it.
 class Refiner {
 public:
   Refiner(CutMesh& cut, const LocalFit& fit, const RefineOptions& options)
-    : cut_(cut), fit_(fit), options_(options), patches_(fit, options.models, 0.5 * options.zone_width, options.threads) {}
+    : cut_(cut), fit_(fit), options_(options), patches_(fit, options.models, 0.5 * options.zone_width, options.threads),
+      support_(fit.usualRadius(options.models.near.neighbors)), tips_(fit.faults(), fit.grid(), 0.5 * fit.usualRadius(3), support_) {}
 
   /// The vertex's new place; its normal becomes that of the surface.
   Vector3 placeOf(Index vertex, const Vector3& viewpoint, LocalFit::Scratch& scratch, detail::SurfacePatches::Scratch& patch_scratch) const {
@@ -86,6 +90,9 @@ private:
   LocalEstimate estimate(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, LocalFit::Scratch& scratch,
                          detail::SurfacePatches::Scratch& patch_scratch) const {
     const ModelChoice& models = options_.models;
+    const double to_tip = tips_.distance(at, support_);
+    if (to_tip < support_)
+      return fit_.at(at, viewpoint, normal, atTip(to_tip), scratch);
     if (!detail::SurfacePatches::worthwhile(models.away) || !detail::SurfacePatches::worthwhile(models.near)) {
       const LocalModel& model = isNear(at) ? models.near : models.away;
       if (!detail::SurfacePatches::worthwhile(model))
@@ -100,10 +107,22 @@ private:
     return e.valid ? e : fit_.at(at, viewpoint, normal, isNear(at) ? beyond(models.near) : models.edge, scratch);
   }
 
+  /// Next to a tip throw changes faster than elsewhere, as a square root: the support shrinks so as not to reach past it.
+  LocalModel atTip(double distance) const {
+    LocalModel model = options_.models.near;
+    const double share = distance / support_;
+    const auto wanted = static_cast<std::size_t>(share * share * static_cast<double>(model.neighbors));
+    model.neighbors = std::min(model.neighbors, std::max(kLeastAtTip, wanted));
+    model.degree = std::min(model.degree, 2);
+    return model;
+  }
+
   CutMesh& cut_;
   const LocalFit& fit_;
   const RefineOptions& options_;
   detail::SurfacePatches patches_;
+  double support_; ///< radius of the near model's support
+  detail::TipLines tips_;
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "graben/surface/cut_mesh.h"
 
 #include <array>
+#include <cmath>
 #include <memory>
 
 namespace graben {
@@ -85,6 +86,9 @@ public:
   double solve(LocalSurface& surface, const LocalModel& model, Scratch& scratch, Index own = -1) const;
 
   static constexpr double kRim = 1.1; ///< squared radius of a disc that holds just the picks wanted, over that of the last one
+
+  /// Radius of a disc that holds this many picks at the picks' usual density.
+  double usualRadius(std::size_t picks) const { return pace_ * std::sqrt(static_cast<double>(picks)); }
 
   const NeighborGrid& grid() const { return grid_; }
   const TangentPlanes& planes() const { return planes_; }
