@@ -1,164 +1,286 @@
 #include "graben/mesh/triangle_bvh.h"
 
+#include "graben/core/threads.h"
+
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
 namespace graben {
 
 namespace {
 
-constexpr Index kLeafSize = 4;
-constexpr int kBins = 16;
-constexpr int kBalancedDepth =
-    64; ///< from here on split at the median, so that the depth stays below 100
+constexpr std::size_t kLeafSize = 2;
+constexpr std::size_t kSubtree = 4096; ///< ranges up to this are built by one thread
+constexpr int kBalancedDepth = 32;     ///< from here on split at the median, so that the depth stays below 64 halvings
 
-double halfArea(const Bounds& b) {
-  const Vector3 s = b.size();
-  return s.x() * s.y() + s.y() * s.z() + s.z() * s.x();
-}
-
-/// A plane between bins, and the cost of splitting there (surface area heuristic).
-struct Split {
-  int axis = -1;
-  int bin = 0; ///< last bin on the left
-  double cost = std::numeric_limits<double>::infinity();
+/// A triangle in the making of the hierarchy: the centre of its box.
+struct Item {
+  std::array<float, 3> centre;
+  Index triangle;
 };
 
-struct Binning {
-  Vector3 low;
-  Vector3 per_length; ///< bins per unit length, 0 on an axis without extent
-
-  explicit Binning(const Bounds& centres)
-      : low(centres.low)
-      , per_length(Vector3::Zero()) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double size = centres.high[axis] - centres.low[axis];
-      const double scale = kBins / size;
-      if (size > 0.0 && std::isfinite(scale))
-        per_length[axis] = scale;
-    }
-  }
-  int bin(const Vector3& centre, int axis) const {
-    return std::clamp(static_cast<int>((centre[axis] - low[axis]) * per_length[axis]), 0,
-                      kBins - 1);
-  }
+struct Range {
+  Item* begin;
+  Item* end;
+  int depth;
+  std::size_t size() const { return static_cast<std::size_t>(end - begin); }
 };
 
-Vector3 centreOf(const Bounds& b) {
-  return 0.5 * b.low + 0.5 * b.high;
-}
-
-void bestSplitOnAxis(const std::array<Bounds, kBins>& boxes, const std::array<Index, kBins>& counts,
-                     int axis, Split& best) {
-  std::array<double, kBins> right_cost{};
-  Bounds box;
-  Index count = 0;
-  for (int b = kBins - 1; b > 0; --b) {
-    box.extend(boxes[static_cast<std::size_t>(b)]);
-    count += counts[static_cast<std::size_t>(b)];
-    right_cost[static_cast<std::size_t>(b)] = count == 0 ? -1.0 : halfArea(box) * count;
-  }
-  box = Bounds();
-  count = 0;
-  for (int b = 0; b + 1 < kBins; ++b) {
-    box.extend(boxes[static_cast<std::size_t>(b)]);
-    count += counts[static_cast<std::size_t>(b)];
-    const double right = right_cost[static_cast<std::size_t>(b) + 1];
-    if (count == 0 || right < 0.0)
-      continue;
-    const double cost = halfArea(box) * count + right;
-    if (cost < best.cost)
-      best = {axis, b, cost};
-  }
-}
-
-Split bestSplit(const std::vector<Bounds>& boxes, const Index* begin, const Index* end,
-                const Binning& binning) {
-  Split best;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (binning.per_length[axis] == 0.0)
-      continue;
-    std::array<Bounds, kBins> bin_boxes;
-    std::array<Index, kBins> counts{};
-    for (const Index* i = begin; i != end; ++i) {
-      const Bounds& box = boxes[static_cast<std::size_t>(*i)];
-      const auto b = static_cast<std::size_t>(binning.bin(centreOf(box), axis));
-      bin_boxes[b].extend(box);
-      ++counts[b];
+/// Halves a range in the middle of the axis along which it is longest. \return the start of the second half
+Item* halve(const Range& range) {
+  std::array<float, 3> low = range.begin->centre;
+  std::array<float, 3> high = low;
+  for (const Item* i = range.begin; i != range.end; ++i)
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = std::min(low[a], i->centre[a]);
+      high[a] = std::max(high[a], i->centre[a]);
     }
-    bestSplitOnAxis(bin_boxes, counts, axis, best);
+  std::size_t axis = 0;
+  for (std::size_t a = 1; a < 3; ++a)
+    if (high[a] - low[a] > high[axis] - low[axis])
+      axis = a;
+  if (range.depth < kBalancedDepth) {
+    const float middle = 0.5F * (low[axis] + high[axis]);
+    Item* const second = std::partition(range.begin, range.end, [axis, middle](const Item& i) { return i.centre[axis] < middle; });
+    if (second != range.begin && second != range.end)
+      return second;
   }
-  return best;
-}
-
-/// Puts [begin, end) in two parts, neither empty. \return the start of the second
-Index* partition(const std::vector<Bounds>& boxes, Index* begin, Index* end, const Bounds& centres,
-                 int depth) {
-  if (depth < kBalancedDepth) {
-    const Binning binning(centres);
-    const Split split = bestSplit(boxes, begin, end, binning);
-    if (split.axis >= 0)
-      return std::stable_partition(begin, end, [&](Index i) {
-        return binning.bin(centreOf(boxes[static_cast<std::size_t>(i)]), split.axis) <= split.bin;
-      });
-  }
-  int axis = 0;
-  centres.size().maxCoeff(&axis);
-  Index* middle = begin + (end - begin) / 2;
-  std::nth_element(begin, middle, end, [&](Index i, Index j) {
-    const double a = centreOf(boxes[static_cast<std::size_t>(i)])[axis];
-    const double b = centreOf(boxes[static_cast<std::size_t>(j)])[axis];
-    return a != b ? a < b : i < j;
+  Item* const median = range.begin + range.size() / 2;
+  std::nth_element(range.begin, median, range.end, [axis](const Item& i, const Item& j) {
+    return i.centre[axis] != j.centre[axis] ? i.centre[axis] < j.centre[axis] : i.triangle < j.triangle;
   });
-  return middle;
+  return median;
+}
+
+/// The up to four parts of a range, none empty.
+struct Parts {
+  std::array<Range, 4> ranges;
+  std::size_t count = 0;
+
+  Parts() = default;
+  explicit Parts(const Range& range) {
+    if (range.size() <= kLeafSize) {
+      ranges[count++] = range;
+      return;
+    }
+    Item* const middle = halve(range);
+    for (const Range& half : {Range{range.begin, middle, range.depth + 1}, Range{middle, range.end, range.depth + 1}}) {
+      if (half.size() <= kLeafSize) {
+        ranges[count++] = half;
+        continue;
+      }
+      Item* const quarter = halve(half);
+      ranges[count++] = {half.begin, quarter, half.depth + 1};
+      ranges[count++] = {quarter, half.end, half.depth + 1};
+    }
+  }
+};
+
+struct Box {
+  std::array<float, 3> low{1e30F, 1e30F, 1e30F};
+  std::array<float, 3> high{-1e30F, -1e30F, -1e30F};
+
+  void extend(std::size_t axis, float from, float to) {
+    low[axis] = std::min(low[axis], from);
+    high[axis] = std::max(high[axis], to);
+  }
+};
+
+Bounds boundsOfTriangles(const TriangleMesh& mesh, unsigned threads) {
+  constexpr std::size_t kGrain = 1 << 14;
+  std::vector<Bounds> blocks((mesh.triangles.size() + kGrain - 1) / kGrain);
+  parallelBlocks(mesh.triangles.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+      for (const Index v : mesh.triangles[t])
+        blocks[begin / kGrain].extend(mesh.vertices[static_cast<std::size_t>(v)]);
+  });
+  Bounds all;
+  for (const Bounds& block : blocks)
+    all.extend(block);
+  return all;
 }
 
 } // namespace
 
-TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
-  validate(mesh, "triangle hierarchy");
-  const std::size_t count = mesh.triangles.size();
-  if (count == 0)
-    return;
-  std::vector<Bounds> boxes(count);
-  for (std::size_t t = 0; t < count; ++t)
-    for (const Index v : mesh.triangles[t])
-      boxes[t].extend(mesh.vertices[static_cast<std::size_t>(v)]);
-  order_.resize(count);
-  std::iota(order_.begin(), order_.end(), 0);
-  nodes_.reserve(count);
-  build(boxes, 0, static_cast<Index>(count), 0);
-  corners_.resize(count);
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t e = 0; e < 3; ++e)
-      corners_[i][e] = mesh.vertices[static_cast<std::size_t>(
-          mesh.triangles[static_cast<std::size_t>(order_[i])][e])];
-  scale_ = std::max(bounds().low.cwiseAbs().maxCoeff(), bounds().high.cwiseAbs().maxCoeff());
-}
+namespace detail {
 
-void TriangleBvh::build(const std::vector<Bounds>& boxes, Index first, Index last, int depth) {
-  const std::size_t node = nodes_.size();
-  nodes_.emplace_back();
-  Bounds bounds;
-  Bounds centres;
-  for (Index i = first; i < last; ++i) {
-    const Bounds& box = boxes[static_cast<std::size_t>(order_[static_cast<std::size_t>(i)])];
-    bounds.extend(box);
-    centres.extend(centreOf(box));
+/// Builds the upper nodes level by level and what is below them in subtrees; neither depends on the number of threads.
+class BvhBuilder {
+public:
+  BvhBuilder(TriangleBvh& bvh, const TriangleMesh& mesh, unsigned threads)
+      : bvh_(bvh)
+      , mesh_(mesh)
+      , threads_(threads)
+      , items_(mesh.triangles.size()) {}
+
+  void run() {
+    bvh_.bounds_ = boundsOfTriangles(mesh_, threads_);
+    chooseUnits();
+    placeItems();
+    splitUpper();
+    buildSubtrees();
+    bvh_.order_.resize(items_.size());
+    bvh_.triangles_.resize(items_.size());
+    parallelFor(items_.size(), 1 << 14, threads_, [&](std::size_t i) {
+      bvh_.order_[i] = items_[i].triangle;
+      bvh_.triangles_[i] = mesh_.triangles[static_cast<std::size_t>(items_[i].triangle)];
+    });
   }
-  nodes_[node].bounds = bounds;
-  if (last - first <= kLeafSize) {
-    std::sort(order_.begin() + first, order_.begin() + last);
-    nodes_[node].first = first;
-    nodes_[node].count = last - first;
+
+private:
+  using Node = TriangleBvh::Node;
+  using Nodes = std::vector<Node>;
+
+  /// A range that waits for its node, child \a slot of \a parent.
+  struct Waiting {
+    Range range;
+    std::size_t parent = 0;
+    std::size_t slot = 0;
+  };
+
+  void chooseUnits() {
+    const Bounds& box = bvh_.bounds_;
+    bvh_.scale_ = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+    bvh_.origin_ = 0.5 * box.low + 0.5 * box.high;
+    int exponent = 0;
+    std::frexp((box.high - bvh_.origin_).maxCoeff(), &exponent);
+    bvh_.per_length_ = std::ldexp(1.0, std::clamp(-exponent, -1021, 1000));
+  }
+
+  void placeItems() {
+    parallelFor(items_.size(), 1 << 14, threads_, [&](std::size_t t) {
+      items_[t].triangle = static_cast<Index>(t);
+      const Box box = boxOf(items_[t]);
+      for (std::size_t a = 0; a < 3; ++a)
+        items_[t].centre[a] = 0.5F * (box.low[a] + box.high[a]);
+    });
+  }
+
+  void splitUpper() {
+    const Range all{items_.data(), items_.data() + items_.size(), 0};
+    bvh_.nodes_.emplace_back();
+    std::vector<std::pair<std::size_t, Range>> level{{0, all}};
+    while (!level.empty()) {
+      std::vector<Parts> parts(level.size());
+      parallelFor(level.size(), 1, threads_, [&](std::size_t i) { parts[i] = Parts(level[i].second); });
+      std::vector<std::pair<std::size_t, Range>> next;
+      for (std::size_t i = 0; i < level.size(); ++i)
+        for (std::size_t k = 0; k < parts[i].count; ++k) {
+          const Range& range = parts[i].ranges[k];
+          const std::size_t node = level[i].first;
+          if (range.size() <= kLeafSize) {
+            setLeaf(bvh_.nodes_[node], k, range);
+          } else if (range.size() <= kSubtree) {
+            waiting_.push_back({range, node, k});
+          } else {
+            next.emplace_back(bvh_.nodes_.size(), range);
+            bvh_.nodes_[node].child[k] = static_cast<Index>(bvh_.nodes_.size());
+            bvh_.nodes_.emplace_back();
+          }
+        }
+      level = std::move(next);
+    }
+  }
+
+  void buildSubtrees() {
+    const std::size_t upper = bvh_.nodes_.size();
+    std::vector<Nodes> built(waiting_.size());
+    parallelFor(waiting_.size(), 1, threads_, [&](std::size_t i) {
+      built[i].reserve(waiting_[i].range.size() / 3);
+      addNode(built[i], waiting_[i].range);
+    });
+    std::vector<std::size_t> first{upper};
+    for (const Nodes& nodes : built)
+      first.push_back(first.back() + nodes.size());
+    bvh_.nodes_.resize(first.back());
+    parallelFor(built.size(), 1, threads_, [&](std::size_t i) {
+      for (Node& node : built[i])
+        for (Index& child : node.child)
+          if (child >= 0)
+            child += static_cast<Index>(first[i]);
+      std::copy(built[i].begin(), built[i].end(), bvh_.nodes_.begin() + static_cast<std::ptrdiff_t>(first[i]));
+      Nodes().swap(built[i]);
+    });
+    for (std::size_t i = 0; i < waiting_.size(); ++i)
+      bvh_.nodes_[waiting_[i].parent].child[waiting_[i].slot] = static_cast<Index>(first[i]);
+    for (std::size_t n = upper; n-- > 0;)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (const Index child = bvh_.nodes_[n].child[k]; child >= 0)
+          setBox(bvh_.nodes_[n], k, boxOf(bvh_.nodes_[static_cast<std::size_t>(child)]));
+  }
+
+  /// Adds the node of a range and all below it; children count from the start of \a nodes.
+  std::size_t addNode(Nodes& nodes, const Range& range) const {
+    const std::size_t node = nodes.size();
+    nodes.emplace_back();
+    const Parts parts(range);
+    for (std::size_t k = 0; k < parts.count; ++k) {
+      if (parts.ranges[k].size() <= kLeafSize) {
+        setLeaf(nodes[node], k, parts.ranges[k]);
+        continue;
+      }
+      const std::size_t child = addNode(nodes, parts.ranges[k]);
+      nodes[node].child[k] = static_cast<Index>(child);
+      setBox(nodes[node], k, boxOf(nodes[child]));
+    }
+    return node;
+  }
+
+  void setLeaf(Node& node, std::size_t slot, const Range& range) const {
+    std::sort(range.begin, range.end, [](const Item& i, const Item& j) { return i.triangle < j.triangle; });
+    Box box;
+    for (const Item* item = range.begin; item != range.end; ++item) {
+      const Box one = boxOf(*item);
+      for (std::size_t a = 0; a < 3; ++a)
+        box.extend(a, one.low[a], one.high[a]);
+    }
+    setBox(node, slot, box);
+    const auto first = static_cast<Index>(range.begin - items_.data());
+    node.child[slot] = ~(2 * first + static_cast<Index>(range.size()) - 1);
+  }
+
+  static void setBox(Node& node, std::size_t slot, const Box& box) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      node.low[a][static_cast<Eigen::Index>(slot)] = box.low[a];
+      node.high[a][static_cast<Eigen::Index>(slot)] = box.high[a];
+    }
+  }
+
+  Box boxOf(const Item& item) const {
+    Box box;
+    for (const Index v : mesh_.triangles[static_cast<std::size_t>(item.triangle)]) {
+      const Vector3 p = bvh_.scaled(mesh_.vertices[static_cast<std::size_t>(v)]);
+      for (std::size_t a = 0; a < 3; ++a) {
+        const auto x = static_cast<float>(p[static_cast<Eigen::Index>(a)]);
+        box.extend(a, x, x);
+      }
+    }
+    return box;
+  }
+
+  static Box boxOf(const Node& node) {
+    Box box;
+    for (std::size_t k = 0; k < 4 && node.child[k] != TriangleBvh::kNoChild; ++k)
+      for (std::size_t a = 0; a < 3; ++a)
+        box.extend(a, node.low[a][static_cast<Eigen::Index>(k)], node.high[a][static_cast<Eigen::Index>(k)]);
+    return box;
+  }
+
+  TriangleBvh& bvh_;
+  const TriangleMesh& mesh_;
+  unsigned threads_;
+  std::vector<Item> items_;
+  std::vector<Waiting> waiting_;
+};
+
+} // namespace detail
+
+TriangleBvh::TriangleBvh(const TriangleMesh& mesh, unsigned threads) {
+  validate(mesh, "triangle hierarchy");
+  if (mesh.triangles.empty())
     return;
-  }
-  Index* data = order_.data();
-  const auto middle =
-      static_cast<Index>(partition(boxes, data + first, data + last, centres, depth) - data);
-  build(boxes, first, middle, depth + 1);
-  nodes_[node].right = static_cast<Index>(nodes_.size());
-  build(boxes, middle, last, depth + 1);
+  vertices_ = mesh.vertices;
+  detail::BvhBuilder(*this, mesh, threads).run();
 }
 
 } // namespace graben
