@@ -4,7 +4,7 @@
 #include "graben/core/threads.h"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
 
 namespace graben {
 
@@ -13,41 +13,57 @@ namespace {
 const char* const kStage = "measuring the approximation error";
 constexpr std::size_t kGrain = 512;
 
+void checkSelection(const std::vector<Index>& selection, std::size_t picks) {
+  for (const Index i : selection)
+    if (i < 0 || static_cast<std::size_t>(i) >= picks)
+      throw InvalidInputError(kStage, "pick " + std::to_string(i) + " is selected, but there are " + std::to_string(picks) + " picks");
+}
+
 } // namespace
 
-DistanceStatistics approximationError(const TriangleBvh& mesh, const Points& picks,
-                                      const std::vector<Index>& selection, unsigned threads) {
+PickDistances pickDistances(const TriangleBvh& mesh, const Points& picks, unsigned threads) {
   if (mesh.empty())
     throw InvalidInputError(kStage, "the surface has no triangles");
-  for (const Index i : selection)
-    if (i < 0 || static_cast<std::size_t>(i) >= picks.size())
-      throw InvalidInputError(kStage, "pick " + std::to_string(i) + " is selected, but there are " +
-                                          std::to_string(picks.size()) + " picks");
-  std::vector<double> distances(selection.size(), -1.0);
-  parallelFor(selection.size(), kGrain, threads, [&](std::size_t i) {
-    const MeshPoint found = mesh.nearest(picks[static_cast<std::size_t>(selection[i])]);
-    if (found.triangle >= 0)
-      distances[i] = found.distance;
+  PickDistances result{std::vector<double>(picks.size()), std::vector<Index>(picks.size())};
+  parallelFor(picks.size(), kGrain, threads, [&](std::size_t i) {
+    const MeshPoint found = mesh.nearest(picks[i]);
+    result.distance[i] = found.distance;
+    result.triangle[i] = found.triangle;
   });
-  distances.erase(std::remove(distances.begin(), distances.end(), -1.0), distances.end());
-  return distanceStatistics(std::move(distances));
+  return result;
 }
 
-DistanceStatistics approximationError(const TriangleBvh& mesh, const Points& picks,
-                                      unsigned threads) {
-  std::vector<Index> all(picks.size());
-  std::iota(all.begin(), all.end(), 0);
-  return approximationError(mesh, picks, all, threads);
+DistanceStatistics approximationError(std::vector<double> distances, unsigned threads) {
+  distances.erase(std::remove(distances.begin(), distances.end(), std::numeric_limits<double>::infinity()), distances.end());
+  return distanceStatistics(std::move(distances), threads);
+}
+
+DistanceStatistics approximationError(const std::vector<double>& distances, const std::vector<Index>& selection, unsigned threads) {
+  checkSelection(selection, distances.size());
+  std::vector<double> chosen(selection.size());
+  std::transform(selection.begin(), selection.end(), chosen.begin(), [&](Index i) { return distances[static_cast<std::size_t>(i)]; });
+  return approximationError(std::move(chosen), threads);
+}
+
+DistanceStatistics approximationError(const TriangleBvh& mesh, const Points& picks, const std::vector<Index>& selection, unsigned threads) {
+  checkSelection(selection, picks.size());
+  Points chosen(selection.size());
+  std::transform(selection.begin(), selection.end(), chosen.begin(), [&](Index i) { return picks[static_cast<std::size_t>(i)]; });
+  return approximationError(mesh, chosen, threads);
+}
+
+DistanceStatistics approximationError(const TriangleBvh& mesh, const Points& picks, unsigned threads) {
+  return approximationError(pickDistances(mesh, picks, threads).distance, threads);
 }
 
 DistanceStatistics approximationError(const TriangleMesh& mesh, const Points& picks,
                                       unsigned threads) {
-  return approximationError(TriangleBvh(mesh), picks, threads);
+  return approximationError(TriangleBvh(mesh, threads), picks, threads);
 }
 
 DistanceStatistics approximationError(const TriangleMesh& mesh, const Points& picks,
                                       const std::vector<Index>& selection, unsigned threads) {
-  return approximationError(TriangleBvh(mesh), picks, selection, threads);
+  return approximationError(TriangleBvh(mesh, threads), picks, selection, threads);
 }
 
 std::vector<Index> zonePicks(const Points& picks, const FaultNetwork& network, double width,

@@ -4,8 +4,8 @@
 
 namespace graben {
 
-std::vector<std::array<Index, 2>> borderEdges(const TriangleMesh& mesh) {
-  const EdgeAdjacency adjacency(mesh);
+std::vector<std::array<Index, 2>> borderEdges(const TriangleMesh& mesh, unsigned threads) {
+  const EdgeAdjacency adjacency(mesh, threads);
   std::vector<std::array<Index, 2>> edges;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t e = 0; e < 3; ++e)
@@ -14,10 +14,10 @@ std::vector<std::array<Index, 2>> borderEdges(const TriangleMesh& mesh) {
   return edges;
 }
 
-TriangleMesh borderMesh(const TriangleMesh& mesh) {
+TriangleMesh borderMesh(const TriangleMesh& mesh, unsigned threads) {
   TriangleMesh border;
   border.vertices = mesh.vertices;
-  for (const auto& [from, to] : borderEdges(mesh))
+  for (const auto& [from, to] : borderEdges(mesh, threads))
     border.triangles.push_back({from, to, to});
   removeUnreferencedVertices(border);
   return border;

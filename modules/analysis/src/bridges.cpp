@@ -1,6 +1,7 @@
 #include "graben/analysis/bridges.h"
 
 #include "border_edges.h"
+#include "part_near_faults.h"
 
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
@@ -116,15 +117,16 @@ std::vector<Index> bridgingTriangles(const TriangleMesh& mesh, const FaultNetwor
   const std::string stage = "looking for bridges";
   if (!(tolerance >= 0.0))
     throw InvalidInputError(stage, "the tolerance must not be negative");
-  validate(mesh, stage);
-  const BridgeSearch search(mesh, network, tolerance);
-  std::vector<char> found(mesh.triangles.size(), 0);
-  parallelFor(found.size(), 1024, threads,
+  validate(mesh, stage, threads);
+  const MeshPart part = partNearFaults(mesh, network, tolerance, threads);
+  const BridgeSearch search(part.mesh, network, tolerance);
+  std::vector<char> found(part.triangles.size(), 0);
+  parallelFor(found.size(), 256, threads,
               [&](std::size_t t) { found[t] = search.isBridge(t) ? 1 : 0; });
   std::vector<Index> result;
   for (std::size_t t = 0; t < found.size(); ++t)
     if (found[t] != 0)
-      result.push_back(static_cast<Index>(t));
+      result.push_back(part.triangles[t]);
   return result;
 }
 

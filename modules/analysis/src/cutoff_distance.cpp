@@ -52,11 +52,11 @@ CutoffDistances cutoffDistances(const TriangleMesh& mesh, const std::vector<Poin
   if (options.samples == 0)
     throw InvalidInputError(kStage, "the number of samples must be 1 or more");
   validate(mesh, kStage);
-  const TriangleMesh border = borderMesh(mesh);
+  const TriangleMesh border = borderMesh(mesh, options.threads);
   if (border.empty())
     throw InvalidInputError(kStage, "the surface has no border");
   const Samples samples = sampleLines(lines, options.samples);
-  const TriangleBvh bvh(border);
+  const TriangleBvh bvh(border, options.threads);
   std::vector<double> distance(samples.points.size());
   parallelFor(distance.size(), 256, options.threads,
               [&](std::size_t i) { distance[i] = bvh.nearest(samples.points[i]).distance; });

@@ -27,9 +27,9 @@ void checkOptions(const EvaluationOptions& o) {
 }
 
 PickErrors pickErrors(const EvaluationInput& input, const EvaluationOptions& o) {
-  const TriangleBvh bvh(input.mesh);
+  const std::vector<double> distance = pickDistances(TriangleBvh(input.mesh, o.threads), input.picks, o.threads).distance;
   PickErrors errors;
-  errors.all = approximationError(bvh, input.picks, o.threads);
+  errors.all = approximationError(distance, o.threads);
   if (input.faults.empty()) {
     errors.away = errors.all;
     return errors;
@@ -41,8 +41,8 @@ PickErrors pickErrors(const EvaluationInput& input, const EvaluationOptions& o) 
       ++z;
     else
       away.push_back(static_cast<Index>(i));
-  errors.zone = approximationError(bvh, input.picks, zone, o.threads);
-  errors.away = approximationError(bvh, input.picks, away, o.threads);
+  errors.zone = approximationError(distance, zone, o.threads);
+  errors.away = approximationError(distance, away, o.threads);
   return errors;
 }
 
@@ -79,7 +79,7 @@ void measureAtFaults(const EvaluationInput& input, const EvaluationOptions& o,
 SurfaceEvaluation evaluateSurface(const EvaluationInput& input, const EvaluationOptions& options) {
   checkOptions(options);
   SurfaceEvaluation result;
-  result.topology = checkTopology(input.mesh);
+  result.topology = checkTopology(input.mesh, options.threads);
   result.quality = triangleQuality(input.mesh, options.threads);
   result.zone_width = options.zone_width;
   result.voxel_size =
@@ -97,7 +97,7 @@ SurfaceEvaluation evaluateSurface(const EvaluationInput& input, const Evaluation
     distance.zone_width = options.zone_width;
     distance.threads = options.threads;
     result.truth = surfaceDistances(input.mesh, input.truth, input.faults, distance);
-    result.truth_components = checkTopology(input.truth).components;
+    result.truth_components = checkTopology(input.truth, options.threads).components;
   }
   if (!input.cutoffs.empty())
     result.cutoffs = cutoffDistances(input.mesh, input.cutoffs, {options.samples, options.threads});

@@ -1,6 +1,7 @@
 #include "graben/analysis/seal.h"
 
 #include "border_edges.h"
+#include "part_near_faults.h"
 
 #include "graben/analysis/statistics.h"
 #include "graben/core/errors.h"
@@ -12,9 +13,9 @@ namespace graben {
 
 namespace {
 
-std::vector<Index> borderVertices(const TriangleMesh& mesh) {
+std::vector<Index> borderVertices(const TriangleMesh& mesh, unsigned threads) {
   std::vector<Index> result;
-  for (const auto& edge : borderEdges(mesh))
+  for (const auto& edge : borderEdges(mesh, threads))
     result.insert(result.end(), edge.begin(), edge.end());
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -28,7 +29,7 @@ public:
       : network_(network)
       , tolerance_(options.truth_tolerance) {
     if (options.truth != nullptr)
-      bvh_ = TriangleBvh(borderMesh(*options.truth));
+      bvh_ = TriangleBvh(borderMesh(*options.truth, options.threads), options.threads);
   }
 
   bool endsAtFaultNear(const Vector3& p) const {
@@ -63,14 +64,16 @@ SealReport checkSeal(const TriangleMesh& mesh, const FaultNetwork& network,
   if (!(options.zone_width > 0.0) || !(options.tolerance >= 0.0))
     throw InvalidInputError(
         stage, "the width of the zone must be positive and the tolerance not negative");
-  validate(mesh, stage);
+  validate(mesh, stage, options.threads);
   if (options.truth != nullptr)
-    validate(*options.truth, stage);
-  const std::vector<Index> border = borderVertices(mesh);
+    validate(*options.truth, stage, options.threads);
+  // Where the part ends and the mesh goes on lies beyond the zone.
+  const TriangleMesh part = partNearFaults(mesh, network, options.zone_width, options.threads).mesh;
+  const std::vector<Index> border = borderVertices(part, options.threads);
   const TrueBorder truth(options, network);
   std::vector<FaultPoint> nearest(border.size());
   parallelFor(border.size(), 256, options.threads, [&](std::size_t i) {
-    const Vector3& vertex = mesh.vertices[static_cast<std::size_t>(border[i])];
+    const Vector3& vertex = part.vertices[static_cast<std::size_t>(border[i])];
     nearest[i] = network.nearest(vertex, options.zone_width);
     if (nearest[i].fault >= 0 && !truth.endsAtFaultNear(vertex))
       nearest[i].fault = -1;

@@ -102,8 +102,8 @@ SurfaceDistances surfaceDistances(const TriangleMesh& mesh, const TriangleMesh& 
     throw InvalidInputError(kStage, "the number of samples must be 1 or more");
   if (!(options.zone_width >= 0.0))
     throw InvalidInputError(kStage, "the width of the zone must not be negative");
-  const TriangleBvh mesh_bvh(mesh);
-  const TriangleBvh truth_bvh(truth);
+  const TriangleBvh mesh_bvh(mesh, options.threads);
+  const TriangleBvh truth_bvh(truth, options.threads);
   return {oneWay(mesh, truth_bvh, network, options), oneWay(truth, mesh_bvh, network, options)};
 }
 

@@ -1,5 +1,6 @@
 #include "graben/analysis/topology.h"
 
+#include "graben/core/threads.h"
 #include "graben/mesh/adjacency.h"
 #include "graben/mesh/bounds.h"
 #include "graben/mesh/components.h"
@@ -41,8 +42,26 @@ bool isDegenerate(const TriangleMesh& mesh, const Triangle& t, double diagonal) 
          areaNormal(mesh, t).norm() <= kThin * longest2;
 }
 
-std::size_t countDuplicates(const TriangleMesh& mesh) {
-  std::vector<Triangle> sorted = mesh.triangles;
+/// The vertex of half-edge h's triangle that h does not touch.
+Index apexOf(const TriangleMesh& mesh, Index h) {
+  return mesh.triangles[cornerOf(h / 3)][cornerOf(previousInTriangle(h) % 3)];
+}
+
+/// True if a triangle may have the same vertices as another: then it shares each of its edges with the other, as twin or as one too many.
+bool mayRepeat(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, std::size_t triangle) {
+  for (Index h = static_cast<Index>(3 * triangle), end = h + 3; h < end; ++h) {
+    const Index twin = adjacency.twin(h);
+    if (twin == EdgeAdjacency::kNonManifold || (twin >= 0 && apexOf(mesh, twin) == apexOf(mesh, h)))
+      return true;
+  }
+  return false;
+}
+
+std::size_t countDuplicates(const TriangleMesh& mesh, const EdgeAdjacency& adjacency) {
+  std::vector<Triangle> sorted;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (mayRepeat(mesh, adjacency, t))
+      sorted.push_back(mesh.triangles[t]);
   for (Triangle& t : sorted)
     std::sort(t.begin(), t.end());
   std::sort(sorted.begin(), sorted.end());
@@ -139,8 +158,7 @@ std::size_t countBowTies(const TriangleMesh& mesh, const EdgeAdjacency& adjacenc
   return static_cast<std::size_t>(std::count(bow_tie.begin(), bow_tie.end(), true));
 }
 
-void countEdges(const TriangleMesh& mesh, TopologyReport& report) {
-  const EdgeAdjacency adjacency(mesh);
+void countEdges(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, TopologyReport& report) {
   for (Index h = 0; h < static_cast<Index>(3 * mesh.triangles.size()); ++h)
     report.border_edges += adjacency.isBorder(h) ? 1 : 0;
   report.border_loops = borderLoops(mesh, adjacency).size();
@@ -151,26 +169,43 @@ void countEdges(const TriangleMesh& mesh, TopologyReport& report) {
     ++(j - i > 2 ? report.non_manifold_edges : report.inconsistent_edges);
   }
   report.non_manifold_vertices = countBowTies(mesh, adjacency, bad);
+  report.duplicate_triangles = countDuplicates(mesh, adjacency);
 }
 
-} // namespace
-
-TopologyReport checkTopology(const TriangleMesh& mesh) {
-  validate(mesh, "checking the topology");
-  TopologyReport report;
-  report.vertices = mesh.vertices.size();
-  report.triangles = mesh.triangles.size();
-  const double diagonal = boundsOf(mesh.vertices).diagonal();
-  for (const Triangle& triangle : mesh.triangles)
-    report.degenerate_triangles += isDegenerate(mesh, triangle, diagonal) ? 1 : 0;
-  report.duplicate_triangles = countDuplicates(mesh);
+void countComponents(const TriangleMesh& mesh, TopologyReport& report) {
   const Components components = connectedComponents(mesh);
   report.components = components.triangle_count.size();
   for (const std::size_t count : components.triangle_count)
     report.crumbs += count < kCrumbTriangles ? 1 : 0;
-  report.unreferenced_vertices = static_cast<std::size_t>(
-      std::count(components.of_vertex.begin(), components.of_vertex.end(), -1));
-  countEdges(mesh, report);
+  report.unreferenced_vertices =
+    static_cast<std::size_t>(std::count(components.of_vertex.begin(), components.of_vertex.end(), -1));
+}
+
+std::size_t countDegenerate(const TriangleMesh& mesh, unsigned threads) {
+  constexpr std::size_t kGrain = 1 << 14;
+  const double diagonal = boundsOf(mesh.vertices).diagonal();
+  std::vector<std::size_t> counts((mesh.triangles.size() + kGrain - 1) / kGrain, 0);
+  parallelFor(mesh.triangles.size(), kGrain, threads,
+              [&](std::size_t t) { counts[t / kGrain] += isDegenerate(mesh, mesh.triangles[t], diagonal) ? 1 : 0; });
+  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+} // namespace
+
+TopologyReport checkTopology(const TriangleMesh& mesh, unsigned threads) {
+  validate(mesh, "checking the topology", threads);
+  TopologyReport report;
+  report.vertices = mesh.vertices.size();
+  report.triangles = mesh.triangles.size();
+  report.degenerate_triangles = countDegenerate(mesh, threads);
+  const EdgeAdjacency adjacency(mesh, threads);
+  // Two searches that go from triangle to triangle: each on a thread of its own.
+  parallelFor(2, 1, threads, [&](std::size_t task) {
+    if (task == 0)
+      countEdges(mesh, adjacency, report);
+    else
+      countComponents(mesh, report);
+  });
   return report;
 }
 

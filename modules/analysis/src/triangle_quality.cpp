@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace graben {
@@ -32,12 +33,10 @@ Shape shapeOf(const TriangleMesh& mesh, const Triangle& triangle) {
     return shape;
   }
   constexpr double degrees = 180.0 / 3.14159265358979323846;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double cosine =
-        (at(i + 1) - at(i))
-            .dot(at(i + 2) - at(i)); // times the product of the two sides, as twice_area is
-    shape.smallest_angle = std::min(shape.smallest_angle, degrees * std::atan2(twice_area, cosine));
-  }
+  const auto shortest = static_cast<std::size_t>(std::min_element(shape.sides.begin(), shape.sides.end()) - shape.sides.begin());
+  const Vector3& apex = at(shortest + 2);
+  const double cosine = (at(shortest) - apex).dot(at(shortest + 1) - apex); // times the product of the two sides, as twice_area is
+  shape.smallest_angle = degrees * std::atan2(twice_area, cosine);
   const double longest = *std::max_element(shape.sides.begin(), shape.sides.end());
   shape.aspect_ratio = std::sqrt(0.75) * longest * longest / twice_area;
   return shape;
@@ -46,7 +45,7 @@ Shape shapeOf(const TriangleMesh& mesh, const Triangle& triangle) {
 } // namespace
 
 TriangleQuality triangleQuality(const TriangleMesh& mesh, unsigned threads) {
-  validate(mesh, "measuring triangle quality");
+  validate(mesh, "measuring triangle quality", threads);
   const std::size_t count = mesh.triangles.size();
   TriangleQuality quality;
   quality.triangles = count;
@@ -64,11 +63,14 @@ TriangleQuality triangleQuality(const TriangleMesh& mesh, unsigned threads) {
   });
   const auto below = std::count_if(angles.begin(), angles.end(), [](double a) { return a < 10.0; });
   quality.share_below_10_degrees = static_cast<double>(below) / static_cast<double>(count);
-  quality.smallest_angle_min = quantile(angles, 0.0);
-  quality.smallest_angle_p1 = quantile(angles, 0.01);
-  quality.smallest_angle_median = quantile(angles, 0.5);
-  quality.edge_length_median = quantile(sides, 0.5);
-  quality.aspect_ratio_p99 = quantile(ratios, 0.99);
+  quality.smallest_angle_min = *std::min_element(angles.begin(), angles.end());
+  const std::array<std::function<void()>, 3> quantiles{
+    [&] {
+      quality.smallest_angle_median = quantile(angles, 0.5);
+      quality.smallest_angle_p1 = quantile(angles, 0.01);
+    },
+    [&] { quality.edge_length_median = quantile(sides, 0.5); }, [&] { quality.aspect_ratio_p99 = quantile(ratios, 0.99); }};
+  parallelFor(quantiles.size(), 1, threads, [&](std::size_t i) { quantiles[i](); });
   return quality;
 }
 

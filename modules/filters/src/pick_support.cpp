@@ -40,15 +40,23 @@ PlaneAt fit(std::vector<WeightedPoint>& points, const Vector3& viewpoint, double
 
 } // namespace
 
+/// Signature of the faults between a viewpoint and a pick. There is none where the two balls that hold no fault touch.
+std::uint64_t PickSupport::faultsBefore(const Viewpoint& viewpoint, std::size_t pick) const {
+  constexpr double kRounding = 1.0 - 1e-9;
+  const Vector3& p = field_.grid.points()[pick];
+  const double clear = kRounding * (viewpoint.clearance + std::min(field_.distances[pick], field_.band));
+  return (p - viewpoint.at).squaredNorm() < clear * clear ? 0 : faultSignature(field_.faults, viewpoint.at, p);
+}
+
 /// \param[in] weightOf weight of a candidate, 0 to leave it out
 template <typename Select>
-PlaneAt PickSupport::plane(const Vector3& viewpoint, double radius, const Select& weightOf) {
+PlaneAt PickSupport::plane(const Viewpoint& viewpoint, double radius, const Select& weightOf) {
   chosen_.clear();
   // Most queries find enough among few; the long list is for places that faults hem in.
   std::size_t seen = 0;
-  for (std::size_t count = FEW; !enough(chosen_, viewpoint) && count <= CANDIDATES; count *= 4) {
-    field_.grid.nearest(viewpoint, count, candidates_, radius);
-    for (; seen < candidates_.size() && !enough(chosen_, viewpoint); ++seen) {
+  for (std::size_t count = FEW; !enough(chosen_, viewpoint.at) && count <= CANDIDATES; count *= 4) {
+    field_.grid.nearest(viewpoint.at, count, candidates_, radius);
+    for (; seen < candidates_.size() && !enough(chosen_, viewpoint.at); ++seen) {
       const auto i = static_cast<std::size_t>(candidates_[seen].index);
       const double weight = weightOf(i);
       if (weight > 0.0)
@@ -57,57 +65,57 @@ PlaneAt PickSupport::plane(const Vector3& viewpoint, double radius, const Select
     if (candidates_.size() < count)
       break;
   }
-  return fit(chosen_, viewpoint, field_.scale);
+  return fit(chosen_, viewpoint.at, field_.scale);
 }
 
-PlaneAt PickSupport::ownPlane(const Vector3& viewpoint) {
+PlaneAt PickSupport::ownPlane(const Viewpoint& viewpoint) {
   return plane(viewpoint, RADIUS * field_.mean_distance, [&](std::size_t i) {
     return field_.states[i] == PickState::Trusted &&
-                   sameSide(field_.faults, viewpoint, field_.grid.points()[i])
+                   sees(viewpoint, i)
                ? 1.0
                : 0.0;
   });
 }
 
-PlaneAt PickSupport::suspectPlane(const Vector3& viewpoint) {
+PlaneAt PickSupport::suspectPlane(const Viewpoint& viewpoint) {
   return plane(viewpoint, SUSPECT_RADIUS * field_.mean_distance, [&](std::size_t i) {
     return field_.states[i] == PickState::Suspect &&
-                   sameSide(field_.faults, viewpoint, field_.grid.points()[i])
+                   sees(viewpoint, i)
                ? 1.0
                : 0.0;
   });
 }
 
-PlaneAt PickSupport::consensusPlane(const Vector3& viewpoint) {
+PlaneAt PickSupport::consensusPlane(const Viewpoint& viewpoint) {
   return plane(viewpoint, RADIUS * field_.mean_distance, [&](std::size_t i) {
     const bool trusted = field_.states[i] == PickState::Trusted;
     if ((!trusted && field_.states[i] != PickState::Pending) ||
-        !sameSide(field_.faults, viewpoint, field_.grid.points()[i]))
+        !sees(viewpoint, i))
       return 0.0;
     const double far = std::min(1.0, 0.25 * field_.distances[i] / field_.mean_distance);
     return trusted ? 1.0 : far * far;
   });
 }
 
-PlaneAt PickSupport::planeBeside(const Vector3& query, const Vector3& direction, double gap,
+PlaneAt PickSupport::planeBeside(const Viewpoint& query, const Vector3& direction, double gap,
                                  double radius) {
   return plane(query, radius, [&](std::size_t i) {
     const Vector3& p = field_.grid.points()[i];
-    return (p - query).dot(direction) >= gap && sameSide(field_.faults, query, p) ? 1.0 : 0.0;
+    return (p - query.at).dot(direction) >= gap && sees(query, i) ? 1.0 : 0.0;
   });
 }
 
-std::vector<SheetBeyond> PickSupport::sheetsBeyond(const Vector3& viewpoint) {
+std::vector<SheetBeyond> PickSupport::sheetsBeyond(const Viewpoint& viewpoint) {
   std::vector<SheetBeyond> sheets;
   std::vector<std::vector<WeightedPoint>> points;
   std::size_t hidden = 0;
-  field_.grid.nearest(viewpoint, CANDIDATES, candidates_, RADIUS * field_.mean_distance);
+  field_.grid.nearest(viewpoint.at, CANDIDATES, candidates_, RADIUS * field_.mean_distance);
   for (const Neighbor& c : candidates_) {
     const auto i = static_cast<std::size_t>(c.index);
     if (field_.states[i] != PickState::Trusted && field_.states[i] != PickState::WrongSide)
       continue;
     const Vector3& p = field_.grid.points()[i];
-    const std::uint64_t signature = faultSignature(field_.faults, viewpoint, p) ^ field_.home[i];
+    const std::uint64_t signature = faultsBefore(viewpoint, i) ^ field_.home[i];
     if (signature == 0)
       continue;
     std::size_t s = 0;
@@ -119,11 +127,11 @@ std::vector<SheetBeyond> PickSupport::sheetsBeyond(const Vector3& viewpoint) {
       sheets.push_back({signature, field_.examples[i], {}});
       points.emplace_back();
     }
-    if (!enough(points[s], viewpoint))
+    if (!enough(points[s], viewpoint.at))
       points[s].push_back({p, 1.0});
   }
   for (std::size_t s = 0; s < sheets.size(); ++s)
-    sheets[s].plane = fit(points[s], viewpoint, field_.scale);
+    sheets[s].plane = fit(points[s], viewpoint.at, field_.scale);
   return sheets;
 }
 

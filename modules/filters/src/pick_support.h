@@ -26,11 +26,18 @@ struct PickField {
   const FaultNetwork& faults;
   double mean_distance;
   double scale;                  ///< least deviation to reckon with in robust fits
+  double band;                   ///< distance to faults up to which picks are judged
   std::vector<double> distances; ///< to the nearest fault; infinite beyond the band
   std::vector<PickState> states;
   std::vector<std::uint64_t>
       home;                    ///< fault signature from a wrong-side pick to its own sheet; else 0
   std::vector<Index> examples; ///< a trusted pick of that sheet; else the pick itself
+};
+
+/// A place that picks are looked at from.
+struct Viewpoint {
+  Vector3 at;
+  double clearance; ///< there is no fault nearer than this
 };
 
 /// A surface on the other side of one or more faults, continued to a viewpoint.
@@ -47,22 +54,25 @@ public:
       : field_(field) {}
 
   /// The nearest trusted picks on the side of \a viewpoint.
-  PlaneAt ownPlane(const Vector3& viewpoint);
+  PlaneAt ownPlane(const Viewpoint& viewpoint);
   /// The nearest suspects on that side.
-  PlaneAt suspectPlane(const Vector3& viewpoint);
+  PlaneAt suspectPlane(const Viewpoint& viewpoint);
   /// Trusted picks with pending ones too, those far from faults weighing most.
-  PlaneAt consensusPlane(const Vector3& viewpoint);
+  PlaneAt consensusPlane(const Viewpoint& viewpoint);
   /// The surface beside \a query, from the nearest picks on its side at least \a gap farther in a
   /// direction.
-  PlaneAt planeBeside(const Vector3& query, const Vector3& direction, double gap, double radius);
+  PlaneAt planeBeside(const Viewpoint& query, const Vector3& direction, double gap, double radius);
 
   /// All sheets that faults hide from \a viewpoint, nearest first, from trusted picks and those
   /// already found to belong to them.
-  std::vector<SheetBeyond> sheetsBeyond(const Vector3& viewpoint);
+  std::vector<SheetBeyond> sheetsBeyond(const Viewpoint& viewpoint);
 
 private:
   template <typename Select>
-  PlaneAt plane(const Vector3& viewpoint, double radius, const Select& weightOf);
+  PlaneAt plane(const Viewpoint& viewpoint, double radius, const Select& weightOf);
+
+  std::uint64_t faultsBefore(const Viewpoint& viewpoint, std::size_t pick) const;
+  bool sees(const Viewpoint& viewpoint, std::size_t pick) const { return faultsBefore(viewpoint, pick) == 0; }
 
   const PickField& field_;
   std::vector<Neighbor> candidates_;

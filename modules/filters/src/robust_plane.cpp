@@ -46,6 +46,9 @@ public:
     centre_ = centre_ / sum + points_.front().position;
     model_ = Vector3(frame_.col(2).dot(start_ - centre_), 0.0, 0.0);
     robust_.resize(points_.size());
+    residuals_.resize(points_.size());
+    for (const WeightedPoint& p : points_)
+      local_.emplace_back(frame_.transpose() * (p.position - centre_));
     measure();
     weighByAbsolute();
     for (int pass = 0; pass <= ABSOLUTE_PASSES + BIWEIGHT_PASSES; ++pass) {
@@ -86,22 +89,30 @@ private:
       const Vector3 normal = ab.cross(ac);
       if (!(normal.norm() > LINE * ab.norm() * ac.norm()))
         continue;
-      const double spread = medianDistance(a, normal.normalized());
-      if (spread < least) {
-        least = spread;
-        setFrame(normal.normalized());
-        start_ = a;
-      }
+      const Vector3 unit = normal.normalized();
+      if (!halfAreNearer(a, unit, least))
+        continue;
+      least = medianOf(distances_);
+      setFrame(unit);
+      start_ = a;
     }
     return std::isfinite(least);
   }
 
-  double medianDistance(const Vector3& a, const Vector3& normal) {
-    sorted_.clear();
-    for (const WeightedPoint& p : points_)
-      sorted_.push_back(std::abs(normal.dot(p.position - a)));
-    const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
-    std::nth_element(sorted_.begin(), middle, sorted_.end());
+  /// True if the median distance to a plane is less than \a limit; leaves the distances behind.
+  bool halfAreNearer(const Vector3& a, const Vector3& normal, double limit) {
+    distances_.resize(points_.size());
+    std::size_t nearer = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      distances_[i] = std::abs(normal.dot(points_[i].position - a));
+      nearer += distances_[i] < limit ? 1 : 0;
+    }
+    return nearer > points_.size() / 2;
+  }
+
+  static double medianOf(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
     return *middle;
   }
 
@@ -112,14 +123,21 @@ private:
   }
 
   bool solve() {
-    Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero(); // the factorisation reads the lower half
     Vector3 right = Vector3::Zero();
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const Vector3 local = frame_.transpose() * (points_[i].position - centre_);
-      const Vector3 row(1.0, local.x(), local.y());
+    for (std::size_t i = 0; i < local_.size(); ++i) {
+      const Vector3& p = local_[i];
       const double weight = points_[i].weight * robust_[i];
-      normal_matrix += weight * row * row.transpose();
-      right += weight * local.z() * row;
+      const double wx = weight * p.x();
+      const double wy = weight * p.y();
+      const double wz = weight * p.z();
+      normal_matrix(0, 0) += weight;
+      normal_matrix(1, 0) += wx;
+      normal_matrix(1, 1) += wx * p.x();
+      normal_matrix(2, 0) += wy;
+      normal_matrix(2, 1) += wy * p.x();
+      normal_matrix(2, 2) += wy * p.y();
+      right += Vector3(wz, wz * p.x(), wz * p.y());
     }
     factor_.compute(normal_matrix);
     if (factor_.info() != Eigen::Success || !factor_.isPositive())
@@ -130,11 +148,8 @@ private:
   }
 
   void measure() {
-    residuals_.clear();
-    for (const WeightedPoint& p : points_) {
-      const Vector3 local = frame_.transpose() * (p.position - centre_);
-      residuals_.push_back(std::abs(local.z() - Vector3(1.0, local.x(), local.y()).dot(model_)));
-    }
+    for (std::size_t i = 0; i < local_.size(); ++i)
+      residuals_[i] = std::abs(local_[i].z() - (model_[0] + local_[i].x() * model_[1] + local_[i].y() * model_[2]));
   }
 
   void weighByAbsolute() {
@@ -143,10 +158,8 @@ private:
   }
 
   void weighByBiweight() {
-    sorted_ = residuals_;
-    const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
-    std::nth_element(sorted_.begin(), middle, sorted_.end());
-    const double width = BIWEIGHT_WIDTH * std::max(least_scale_, DEVIATION_FROM_MEDIAN * *middle);
+    distances_ = residuals_;
+    const double width = BIWEIGHT_WIDTH * std::max(least_scale_, DEVIATION_FROM_MEDIAN * medianOf(distances_));
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const double share = residuals_[i] / width;
       robust_[i] = share < 1.0 ? (1.0 - share * share) * (1.0 - share * share) : 0.0;
@@ -160,7 +173,8 @@ private:
   Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity();
   Eigen::LDLT<Eigen::Matrix3d> factor_;
   Vector3 model_ = Vector3::Zero(); ///< height, two slopes
-  std::vector<double> robust_, residuals_, sorted_;
+  Points local_; ///< the points in the frame about the centre
+  std::vector<double> robust_, residuals_, distances_;
 };
 
 } // namespace

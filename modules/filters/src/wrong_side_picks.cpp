@@ -19,6 +19,7 @@ using detail::PickState;
 using detail::PickSupport;
 using detail::PlaneAt;
 using detail::SheetBeyond;
+using detail::Viewpoint;
 
 constexpr std::size_t GRAIN = 64;
 constexpr double BAND = 4.0, BIN = 0.5, TOLERANCE = 0.1; // mean distances
@@ -63,7 +64,7 @@ std::vector<double> onesidedErrors(const PickField& field, bool trusted_only, do
       const double angle = GOLDEN_ANGLE * static_cast<double>(i);
       const Vector3 direction(std::cos(angle), std::sin(angle), 0.0);
       const PlaneAt plane =
-          support.planeBeside(field.grid.points()[pick], direction, field.mean_distance, band);
+          support.planeBeside({field.grid.points()[pick], std::min(field.distances[pick], field.band)}, direction, field.mean_distance, band);
       if (plane.valid)
         found[i] = std::abs(plane.offset) / std::sqrt(1.0 + plane.leverage);
     }
@@ -94,7 +95,7 @@ public:
       : grid_(grid)
       , faults_(faults)
       , options_(options)
-      , field_{grid, faults, 0.0, 0.0, {}, {}, {}, {}} {}
+      , field_{grid, faults, 0.0, 0.0, 0.0, {}, {}, {}, {}} {}
 
   WrongSideResult run() {
     const std::size_t count = grid_.points().size();
@@ -120,6 +121,7 @@ private:
       options_.band = BAND * h;
     if (options_.tolerance == 0.0)
       options_.tolerance = TOLERANCE * h;
+    field_.band = options_.band;
     sortIntoBins();
     field_.scale = 0.01 * h;
     if (options_.sigma == 0.0)
@@ -165,13 +167,19 @@ private:
   /// True if the plane is not from so far away that it could be anywhere.
   bool isSure(const PlaneAt& plane) const { return plane.valid && plane.leverage < MOST_LEVERAGE; }
 
+  const Vector3& place(Index pick) const { return grid_.points()[static_cast<std::size_t>(pick)]; }
+
   /// Where a pick looks from: itself, or if it lies on a fault, both sides of it.
-  std::vector<Vector3> viewpoints(const Vector3& pick) const {
+  std::vector<Viewpoint> viewpoints(Index pick) const {
     const double off = ON_FAULT * options_.mean_distance;
-    const FaultPoint near = faults_.nearest(pick, off);
+    const Vector3& at = place(pick);
+    const double clearance = field_.distances[static_cast<std::size_t>(pick)];
+    if (clearance > off)
+      return {{at, clearance}};
+    const FaultPoint near = faults_.nearest(at, off);
     if (near.fault < 0)
-      return {pick};
-    return {pick + off * near.normal, pick - off * near.normal};
+      return {{at, 0.0}};
+    return {{at + off * near.normal, 0.0}, {at - off * near.normal, 0.0}};
   }
 
   void judge(const std::vector<Index>& bin) {
@@ -179,21 +187,19 @@ private:
     parallelBlocks(bin.size(), GRAIN, options_.threads, [&](std::size_t begin, std::size_t end) {
       PickSupport support(field_);
       for (std::size_t i = begin; i < end; ++i) {
-        const auto index = static_cast<std::size_t>(bin[i]);
-        const Vector3& pick = grid_.points()[index];
-        const double deviations = mayHaveCrossed(field_.distances[index]) ? SUSPECT_DEVIATIONS : DEVIATIONS;
-        if (i > begin && pick == grid_.points()[static_cast<std::size_t>(bin[i - 1])])
+        const double deviations = mayHaveCrossed(field_.distances[static_cast<std::size_t>(bin[i])]) ? SUSPECT_DEVIATIONS : DEVIATIONS;
+        if (i > begin && place(bin[i]) == place(bin[i - 1]))
           found[i] = found[i - 1];
         else
-          found[i] = agreesWithItsSheet(pick, deviations, support) ? PickState::Trusted : PickState::Suspect;
+          found[i] = agreesWithItsSheet(bin[i], deviations, support) ? PickState::Trusted : PickState::Suspect;
       }
     });
     for (std::size_t i = 0; i < bin.size(); ++i)
       field_.states[static_cast<std::size_t>(bin[i])] = found[i];
   }
 
-  bool agreesWithItsSheet(const Vector3& pick, double deviations, PickSupport& support) const {
-    for (const Vector3& viewpoint : viewpoints(pick)) {
+  bool agreesWithItsSheet(Index pick, double deviations, PickSupport& support) const {
+    for (const Viewpoint& viewpoint : viewpoints(pick)) {
       PlaneAt own = support.ownPlane(viewpoint);
       if (!isSure(own)) {
         const PlaneAt suspects = support.suspectPlane(viewpoint);
@@ -226,7 +232,7 @@ private:
         suspects.size(), GRAIN, options_.threads, [&](std::size_t begin, std::size_t end) {
           PickSupport support(field_);
           for (std::size_t i = begin; i < end; ++i)
-            found[i] = verdict(grid_.points()[static_cast<std::size_t>(suspects[i])], support);
+            found[i] = verdict(suspects[i], support);
         });
     for (std::size_t i = 0; i < suspects.size(); ++i) {
       const auto pick = static_cast<std::size_t>(suspects[i]);
@@ -239,15 +245,15 @@ private:
     }
   }
 
-  Verdict verdict(const Vector3& pick, PickSupport& support) const {
-    const Vector3 viewpoint = viewpoints(pick).front();
+  Verdict verdict(Index pick, PickSupport& support) const {
+    const Viewpoint viewpoint = viewpoints(pick).front();
     const PlaneAt own = support.ownPlane(viewpoint);
     const bool good = isSure(own) && agrees(own);
     Verdict best;
     if (good)
       best.state = PickState::Trusted;
     for (const SheetBeyond& sheet : support.sheetsBeyond(viewpoint)) {
-      const Index fault = faultBefore(sheet, viewpoint);
+      const Index fault = faultBefore(sheet, viewpoint.at);
       const PickState state = fault < 0 ? PickState::Doubtful : stateBeyond(own, sheet.plane);
       if (good && (state != PickState::WrongSide || agrees(own, SUSPECT_DEVIATIONS) || !agrees(sheet.plane, SUSPECT_DEVIATIONS)))
         continue;

@@ -1,6 +1,9 @@
 #include "graben/mesh/adjacency.h"
 
+#include "graben/core/threads.h"
+
 #include <algorithm>
+#include <cstdint>
 
 namespace graben {
 
@@ -30,7 +33,7 @@ bool repeatsVertex(const Triangle& t) {
 
 /// All half-edges of proper triangles, grouped by lower vertex: those of vertex v are entries
 /// [first[v], first[v + 1]).
-void listEdges(const TriangleMesh& mesh, std::vector<std::size_t>& first,
+void listEdges(const TriangleMesh& mesh, std::vector<std::uint32_t>& first,
                std::vector<EdgeEntry>& entries) {
   first.assign(mesh.vertices.size() + 1, 0);
   const auto visit = [&mesh](const auto& body) {
@@ -46,7 +49,7 @@ void listEdges(const TriangleMesh& mesh, std::vector<std::size_t>& first,
   for (std::size_t v = 1; v < first.size(); ++v)
     first[v] += first[v - 1];
   entries.resize(first.back());
-  std::vector<std::size_t> cursor(first.begin(), first.end() - 1);
+  std::vector<std::uint32_t> cursor(first.begin(), first.end() - 1);
   visit([&](const auto& ends, Index half_edge) {
     entries[cursor[static_cast<std::size_t>(ends.first)]++] = {ends.second, half_edge};
   });
@@ -54,16 +57,16 @@ void listEdges(const TriangleMesh& mesh, std::vector<std::size_t>& first,
 
 } // namespace
 
-EdgeAdjacency::EdgeAdjacency(const TriangleMesh& mesh)
+EdgeAdjacency::EdgeAdjacency(const TriangleMesh& mesh, unsigned threads)
     : twin_(3 * mesh.triangles.size(), kNonManifold) {
-  std::vector<std::size_t> first;
+  std::vector<std::uint32_t> first;
   std::vector<EdgeEntry> entries;
   listEdges(mesh, first, entries);
-  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
-    std::sort(entries.begin() + static_cast<std::ptrdiff_t>(first[v]),
-              entries.begin() + static_cast<std::ptrdiff_t>(first[v + 1]));
-    for (std::size_t i = first[v], j = i; i < first[v + 1]; i = j) {
-      while (j < first[v + 1] && entries[j].high == entries[i].high)
+  parallelFor(mesh.vertices.size(), 4096, threads, [&](std::size_t v) {
+    const std::uint32_t end = first[v + 1];
+    std::sort(entries.begin() + first[v], entries.begin() + end);
+    for (std::uint32_t i = first[v], j = i; i < end; i = j) {
+      while (j < end && entries[j].high == entries[i].high)
         ++j;
       const Index h = entries[i].half_edge;
       if (j - i == 1) {
@@ -74,7 +77,7 @@ EdgeAdjacency::EdgeAdjacency(const TriangleMesh& mesh)
         twin_[static_cast<std::size_t>(other)] = h;
       }
     }
-  }
+  });
 }
 
 std::vector<std::vector<Index>> borderLoops(const TriangleMesh& mesh,

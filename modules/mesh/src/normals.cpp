@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <cstdint>
 
 namespace graben {
 
@@ -13,8 +14,8 @@ namespace {
 /// Corners (3 t + e) of proper triangles grouped by vertex: those of v are corners[first[v]] to
 /// corners[first[v + 1] - 1].
 struct VertexCorners {
-  std::vector<std::size_t> first;
-  std::vector<std::size_t> corners;
+  std::vector<std::uint32_t> first;
+  std::vector<std::uint32_t> corners;
 
   explicit VertexCorners(const TriangleMesh& mesh)
       : first(mesh.vertices.size() + 1, 0)
@@ -24,10 +25,10 @@ struct VertexCorners {
         ++first[static_cast<std::size_t>(v) + 1];
     for (std::size_t v = 1; v < first.size(); ++v)
       first[v] += first[v - 1];
-    std::vector<std::size_t> cursor(first.begin(), first.end() - 1);
+    std::vector<std::uint32_t> cursor(first.begin(), first.end() - 1);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       for (std::size_t e = 0; e < 3; ++e)
-        corners[cursor[static_cast<std::size_t>(mesh.triangles[t][e])]++] = 3 * t + e;
+        corners[cursor[static_cast<std::size_t>(mesh.triangles[t][e])]++] = static_cast<std::uint32_t>(3 * t + e);
   }
 };
 

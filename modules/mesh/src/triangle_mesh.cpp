@@ -1,7 +1,9 @@
 #include "graben/mesh/triangle_mesh.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/threads.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -27,6 +29,21 @@ void appendArray(std::vector<T>& values, const std::vector<T>& other, bool targe
     values.clear();
   else
     values.insert(values.end(), other.begin(), other.end());
+}
+
+/// The first of [0, count) for which \a bad holds; count if there is none.
+template <typename Bad>
+std::size_t firstOf(std::size_t count, unsigned threads, const Bad& bad) {
+  constexpr std::size_t kGrain = 1 << 15;
+  std::vector<std::size_t> found((count + kGrain - 1) / kGrain, count);
+  parallelBlocks(count, kGrain, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (bad(i)) {
+        found[begin / kGrain] = i;
+        return;
+      }
+  });
+  return found.empty() ? count : *std::min_element(found.begin(), found.end());
 }
 
 void checkLength(std::size_t length, std::size_t vertices, const std::string& stage,
@@ -101,21 +118,24 @@ void flipOrientation(TriangleMesh& mesh) {
     normal = -normal;
 }
 
-void validate(const TriangleMesh& mesh, const std::string& stage) {
+void validate(const TriangleMesh& mesh, const std::string& stage, unsigned threads) {
   const std::size_t count = mesh.vertices.size();
   if (count > static_cast<std::size_t>(std::numeric_limits<Index>::max()) ||
       mesh.triangles.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max() / 3))
     throw InvalidInputError(stage, "the mesh is larger than 32-bit indices reach");
-  for (std::size_t i = 0; i < count; ++i)
-    if (!mesh.vertices[i].allFinite())
-      throw InvalidInputError(stage, "vertex " + std::to_string(i) +
-                                         " of the mesh has a coordinate that is not finite");
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const Index v : mesh.triangles[t])
-      if (v < 0 || static_cast<std::size_t>(v) >= count)
-        throw InvalidInputError(stage, "triangle " + std::to_string(t) + " names vertex " +
-                                           std::to_string(v) + ", but the mesh has " +
-                                           std::to_string(count) + " vertices");
+  const std::size_t vertex = firstOf(count, threads, [&](std::size_t i) { return !mesh.vertices[i].allFinite(); });
+  if (vertex < count)
+    throw InvalidInputError(stage, "vertex " + std::to_string(vertex) + " of the mesh has a coordinate that is not finite");
+  const auto missing = [count](Index v) { return v < 0 || static_cast<std::size_t>(v) >= count; };
+  const std::size_t triangle = firstOf(mesh.triangles.size(), threads, [&](std::size_t t) {
+    return missing(mesh.triangles[t][0]) || missing(mesh.triangles[t][1]) || missing(mesh.triangles[t][2]);
+  });
+  if (triangle < mesh.triangles.size()) {
+    const Triangle& t = mesh.triangles[triangle];
+    throw InvalidInputError(stage, "triangle " + std::to_string(triangle) + " names vertex " +
+                                     std::to_string(*std::find_if(t.begin(), t.end(), missing)) + ", but the mesh has " +
+                                     std::to_string(count) + " vertices");
+  }
   checkLength(mesh.normals.size(), count, stage, "normals");
   checkLength(mesh.piece.size(), count, stage, "piece");
   for (const auto& scalar : mesh.scalars)

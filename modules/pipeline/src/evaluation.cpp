@@ -40,28 +40,31 @@ void evaluateFaults(const CutMesh& cut, const FaultNetwork& faults, unsigned thr
   }
 }
 
-std::vector<Index> piecesOfPicks(const TriangleMesh& mesh, const TriangleBvh& bvh, const Points& picks, double reach, unsigned threads) {
-  std::vector<Index> pieces(picks.size(), -1);
-  parallelFor(picks.size(), 256, threads, [&](std::size_t p) {
-    const MeshPoint hit = bvh.nearest(picks[p], reach);
-    if (hit.triangle >= 0)
-      pieces[p] = mesh.piece[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(hit.triangle)][0])];
+/// Turns the nearest triangles into the pieces they belong to; -1 beyond the reach.
+void toPieces(const TriangleMesh& mesh, const std::vector<double>& distance, double reach, unsigned threads, std::vector<Index>& nearest) {
+  parallelFor(nearest.size(), 1 << 14, threads, [&](std::size_t p) {
+    const Index triangle = nearest[p];
+    nearest[p] = triangle < 0 || distance[p] > reach
+                   ? -1
+                   : mesh.piece[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(triangle)][0])];
   });
-  return pieces;
 }
 
 } // namespace
 
 std::vector<Index> evaluate(const CutMesh& cut, const FaultNetwork& faults, const Points& picks, const std::vector<Index>& zone,
                             unsigned threads, ReconstructionReport& report) {
-  std::vector<Index> pieces(picks.size(), -1);
-  report.topology = checkTopology(cut.mesh);
+  std::vector<Index> pieces;
+  report.topology = checkTopology(cut.mesh, threads);
   report.quality = triangleQuality(cut.mesh, threads);
-  if (!cut.mesh.empty()) {
-    const TriangleBvh bvh(cut.mesh);
-    report.all_picks = approximationError(bvh, picks, threads);
-    report.zone_after_fit = approximationError(bvh, picks, zone, threads);
-    pieces = piecesOfPicks(cut.mesh, bvh, picks, report.used.fault_reach, threads);
+  if (cut.mesh.empty()) {
+    pieces.assign(picks.size(), -1);
+  } else {
+    PickDistances found = pickDistances(TriangleBvh(cut.mesh, threads), picks, threads);
+    report.zone_after_fit = approximationError(found.distance, zone, threads);
+    toPieces(cut.mesh, found.distance, report.used.fault_reach, threads, found.triangle);
+    report.all_picks = approximationError(std::move(found.distance), threads);
+    pieces = std::move(found.triangle);
   }
   if (!faults.empty())
     evaluateFaults(cut, faults, threads, report);

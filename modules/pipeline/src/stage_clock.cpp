@@ -1,6 +1,6 @@
 #include "stage_clock.h"
 
-#include <sys/resource.h>
+#include "graben/core/memory.h"
 
 namespace graben {
 
@@ -17,10 +17,8 @@ void StageClock::start(const std::string& stage) {
 void StageClock::stop() {
   if (stage_.empty())
     return;
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-  timings_.push_back({stage_, elapsed.count(), static_cast<std::size_t>(usage.ru_maxrss) * 1024});
+  timings_.push_back({stage_, elapsed.count(), peakResidentMemory()});
   report(progress_, stage_, 1.0);
   stage_.clear();
 }

@@ -123,7 +123,7 @@ void ReconstructionJob::tidy() {
   for (int round = 0; round < kUnfoldRounds; ++round) {
     computeVertexNormals(cut_.mesh, options_.threads);
     relaxTriangles(cut_, turnedTriangles(cut_, true));
-    relaxTriangles(cut_, foldedTriangles(cut_.mesh));
+    relaxTriangles(cut_, foldedTriangles(cut_.mesh, options_.threads));
     relaxTriangles(cut_, trianglesAgainstPicks(cut_, grid_, planes_.normals, result_.report.used.fault_reach));
   }
   computeVertexNormals(cut_.mesh, options_.threads);

@@ -34,6 +34,18 @@ TEST(ApproximationError, OverASelection) {
   EXPECT_THROW(approximationError(mesh, kPicks, std::vector<Index>{-1}), InvalidInputError);
 }
 
+TEST(ApproximationError, FromDistancesAtHandIsTheSame) {
+  const TriangleMesh mesh = test::gridMesh(10);
+  const TriangleBvh bvh(mesh);
+  const PickDistances found = pickDistances(bvh, kPicks);
+  EXPECT_THAT(found.triangle, ElementsAre(testing::Ge(0), testing::Ge(0), -1, testing::Ge(0), testing::Ge(0)));
+  EXPECT_EQ(approximationError(found.distance).mean_square, approximationError(bvh, kPicks).mean_square);
+  const std::vector<Index> some{3, 2, 1};
+  EXPECT_EQ(approximationError(found.distance, some).mean_square, approximationError(bvh, kPicks, some).mean_square);
+  EXPECT_EQ(approximationError(found.distance, some).count, 2U);
+  EXPECT_THROW(approximationError(found.distance, std::vector<Index>{5}), InvalidInputError);
+}
+
 TEST(ApproximationError, NeedsASurface) {
   EXPECT_THROW(approximationError(TriangleMesh(), kPicks), InvalidInputError);
 }

@@ -86,6 +86,19 @@ TEST(Topology, DuplicatesAreFoundInAnyOrderOfCorners) {
   EXPECT_EQ(checkTopology(mesh).duplicate_triangles, 0U);
 }
 
+TEST(Topology, DuplicatesAreFoundWoundEitherWayAndManyTimes) {
+  TriangleMesh mesh = test::gridMesh(4);
+  const Triangle inside = mesh.triangles[12];
+  mesh.triangles.push_back({inside[1], inside[0], inside[2]});
+  EXPECT_EQ(checkTopology(mesh).duplicate_triangles, 1U);
+  mesh.triangles.push_back(inside);
+  EXPECT_EQ(checkTopology(mesh).duplicate_triangles, 2U);
+  TriangleMesh pillow;
+  pillow.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  pillow.triangles = {{0, 1, 2}, {1, 0, 2}};
+  EXPECT_EQ(checkTopology(pillow).duplicate_triangles, 1U);
+}
+
 TEST(Topology, DegenerateTrianglesAreFoundAtAnySize) {
   for (const double scale : {1e-6, 1.0, 1e6}) {
     TriangleMesh mesh = test::gridMesh(1, scale);

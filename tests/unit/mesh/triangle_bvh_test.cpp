@@ -157,6 +157,53 @@ TEST(TriangleBvh, AnswersNothingToNonsense) {
   EXPECT_THROW(TriangleBvh{broken}, InvalidInputError);
 }
 
+/// A wavy grid of 20,000 triangles, enough for several subtrees, at coordinates as of a map.
+TriangleMesh wavyGrid() {
+  TriangleMesh mesh = test::gridMesh(100, 20.0);
+  for (Vector3& v : mesh.vertices)
+    v += Vector3(4.5e5, 6.1e6, 15.0 * std::sin(0.01 * v.x()) * std::cos(0.013 * v.y()));
+  return mesh;
+}
+
+TEST(TriangleBvh, ALargeMeshIsSearchedWhole) {
+  const TriangleMesh mesh = wavyGrid();
+  const TriangleBvh bvh(mesh);
+  std::mt19937_64 generator(11);
+  for (int i = 0; i < 60; ++i) {
+    const Vector3 p = mesh.vertices[0] + test::randomPoint(generator, -200.0, 2200.0).cwiseProduct(Vector3(1, 1, 0.02));
+    Index best = -1;
+    double best2 = std::numeric_limits<double>::infinity();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto at = [&](std::size_t e) { return mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][e])]; };
+      const double d2 = (nearestPointOnTriangle(p, at(0), at(1), at(2)).point - p).squaredNorm();
+      if (d2 < best2) {
+        best2 = d2;
+        best = static_cast<Index>(t);
+      }
+    }
+    ASSERT_EQ(bvh.nearest(p).triangle, best);
+    ASSERT_EQ(bvh.nearest(p).distance, std::sqrt(best2));
+    const bool beside = p.x() < 4.5e5 || p.y() < 6.1e6 || p.x() > 4.52e5 || p.y() > 6.102e6;
+    ASSERT_EQ(bvh.allHits(p - Vector3(0, 0, 100), p + Vector3(0, 0, 100)).size(), beside ? 0U : 1U);
+  }
+}
+
+TEST(TriangleBvh, IsTheSameForEveryNumberOfThreads) {
+  const TriangleMesh mesh = wavyGrid();
+  const auto visited = [&mesh](unsigned threads) {
+    std::vector<Index> order;
+    const TriangleBvh bvh(mesh, threads);
+    bvh.forEachInBox(bvh.bounds(), [&order](Index t) {
+      order.push_back(t);
+      return true;
+    });
+    return order;
+  };
+  const std::vector<Index> order = visited(1);
+  EXPECT_EQ(order.size(), mesh.triangles.size());
+  EXPECT_EQ(visited(4), order);
+}
+
 TEST(TriangleBvh, ManyTrianglesInOnePlaceAreNoTrouble) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

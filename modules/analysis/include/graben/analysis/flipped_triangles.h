@@ -19,7 +19,8 @@ constexpr double kFoldAngle = 120.0;
 /// triangles are wound against each other are TopologyReport::inconsistent_edges, not folds.
 /// O(n log n), deterministic.
 /// \throw InvalidInputError if the mesh is not valid
-std::vector<Index> foldedTriangles(const TriangleMesh& mesh);
+/// \param[in] threads 0: one per processor
+std::vector<Index> foldedTriangles(const TriangleMesh& mesh, unsigned threads = 0);
 
 /// The triangles that face away from the true surface, in rising order: their normal and that of
 /// the nearest true triangle differ by more than 90 degrees.

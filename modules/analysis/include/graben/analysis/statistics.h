@@ -16,9 +16,10 @@ struct DistanceStatistics {
   double max = 0.0;
 };
 
-/// O(n); sums in the order given, so the result depends on the values alone. Values must not be
-/// NaN.
-DistanceStatistics distanceStatistics(std::vector<double> distances);
+/// O(n); sums block by block in the order given, so the result depends on the values alone.
+/// \param[in] distances none negative or NaN
+/// \param[in] threads   0: one per processor
+DistanceStatistics distanceStatistics(std::vector<double> distances, unsigned threads = 0);
 
 /// The smallest value that at least the share \a q (0 to 1) of the values does not exceed; 0 if
 /// there are none. Reorders \a values; O(n).

@@ -39,6 +39,7 @@ struct TopologyReport {
 
 /// O(n log n). An empty mesh has nothing wrong with it.
 /// \throw InvalidInputError if the mesh is not valid (see validate)
-TopologyReport checkTopology(const TriangleMesh& mesh);
+/// \param[in] threads 0: one per processor
+TopologyReport checkTopology(const TriangleMesh& mesh, unsigned threads = 0);
 
 } // namespace graben

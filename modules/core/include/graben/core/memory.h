@@ -7,4 +7,8 @@ namespace graben {
 /// What a job may take unless it is told otherwise: three quarters of the machine's memory, in bytes; 0 where that cannot be found out.
 std::size_t defaultMemoryLimit();
 
+/// Resident memory of this process in bytes: now, and the most it ever was; 0 where the system does not say. A few microseconds.
+std::size_t residentMemory();
+std::size_t peakResidentMemory();
+
 } // namespace graben

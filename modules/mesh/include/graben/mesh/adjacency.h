@@ -14,8 +14,8 @@ public:
   static constexpr Index kBorder = -1;      ///< only one triangle has this edge
   static constexpr Index kNonManifold = -2; ///< three or more have it, or two in the same direction
 
-  /// O(n log n) or better; deterministic.
-  explicit EdgeAdjacency(const TriangleMesh& mesh);
+  /// O(n log n) or better; the same for any number of threads (0: one per processor).
+  explicit EdgeAdjacency(const TriangleMesh& mesh, unsigned threads = 0);
 
   /// The half-edge on the other side of half-edge 3 t + e, or kBorder, or kNonManifold.
   Index twin(Index half_edge) const { return twin_[static_cast<std::size_t>(half_edge)]; }

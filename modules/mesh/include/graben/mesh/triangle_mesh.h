@@ -34,6 +34,7 @@ void flipOrientation(TriangleMesh& mesh);
 
 /// \throw InvalidInputError if a triangle names a vertex that does not exist, a vertex is not
 /// finite or an array has a wrong length
-void validate(const TriangleMesh& mesh, const std::string& stage);
+/// \param[in] threads 0: one per processor
+void validate(const TriangleMesh& mesh, const std::string& stage, unsigned threads = 0);
 
 } // namespace graben

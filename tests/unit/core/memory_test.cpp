@@ -1,0 +1,28 @@
+#include "graben/core/memory.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace graben {
+namespace {
+
+TEST(Memory, GrowsWithWhatIsInUseAndThePeakStays) {
+  const std::size_t before = residentMemory();
+  ASSERT_GT(before, std::size_t{1} << 20);
+  constexpr std::size_t kBytes = std::size_t{64} << 20;
+  {
+    const std::vector<char> block(kBytes, 1);
+    EXPECT_GT(residentMemory(), before + kBytes / 2);
+    EXPECT_EQ(block.back(), 1);
+  }
+  EXPECT_LT(residentMemory(), before + kBytes / 2);
+  EXPECT_GT(peakResidentMemory(), before + kBytes / 2);
+}
+
+TEST(Memory, TheLimitIsBelowWhatTheMachineHas) {
+  EXPECT_GT(defaultMemoryLimit(), residentMemory());
+}
+
+} // namespace
+} // namespace graben
