@@ -26,6 +26,8 @@ OptionParser parser() {
              "(default: the median edge)")
       .value("sigma", "S",
              "noise of the picks; distances to the truth are then told, and limited, in sigma")
+      .value("pick-reach", "R",
+             "the truth counts as missing only within this distance of a pick, not in holes of the data (default: six mean distances)", "0")
       .value("samples", "N", "sample points on each surface and over the cutoff lines", "100000")
       .value("threads", "N", "0: one per processor; the figures are the same for every number",
              "0");
@@ -45,6 +47,7 @@ OptionParser parser() {
 EvaluationOptions evaluationOptions(const OptionValues& values) {
   EvaluationOptions o;
   o.zone_width = values.number("zone-width", 1e-12, kHuge);
+  o.pick_reach = values.number("pick-reach", 0.0, kHuge);
   o.voxel_size = values.number("voxel-size", 0.0, kHuge);
   o.samples = static_cast<std::size_t>(values.integer("samples", 1, 100000000));
   o.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));

@@ -66,6 +66,9 @@ std::string distanceRows(const SurfaceEvaluation& e) {
                                     std::pair("truth to surface", &e.truth->from_truth)})
       text +=
           row(name, way->all) + row("  in the zone", way->near) + row("  away from it", way->far);
+  if (e.truth && e.truth->from_truth_at_picks && e.truth->from_truth_at_picks->all.count < e.truth->from_truth.all.count)
+    text += row("truth near picks to surface", e.truth->from_truth_at_picks->all) + row("  in the zone", e.truth->from_truth_at_picks->near) +
+            row("  away from it", e.truth->from_truth_at_picks->far);
   if (e.cutoffs)
     text += row("cutoff lines to border", e.cutoffs->all);
   if (text.empty())
@@ -132,8 +135,11 @@ std::vector<Figure> figuresOf(const SurfaceEvaluation& e, double sigma) {
     list.inSigma("surface_to_truth_far", "RMS surface to truth, away", e.truth->to_truth.far, 0.2);
     list.inSigma("surface_to_truth_near", "RMS surface to truth, in the zone",
                  e.truth->to_truth.near, 0.25);
-    list.inSigma("truth_to_surface_near", "RMS truth to surface, in the zone",
-                 e.truth->from_truth.near, 0.3);
+    const OneWayDistances& all = e.truth->from_truth;
+    const OneWayDistances& counted = e.truth->from_truth_at_picks.value_or(all);
+    list.inSigma("truth_to_surface_near", "RMS truth to surface, in the zone", counted.near, 0.3);
+    if (counted.near.count < all.near.count)
+      list.inSigma("truth_to_surface_near_with_holes", "  holes in the data too", all.near, std::numeric_limits<double>::infinity());
   }
   if (e.cutoffs)
     list.inSigma("cutoffs_to_border", "RMS cutoff lines to border", e.cutoffs->all, 0.6);
@@ -169,6 +175,8 @@ std::string evaluationText(const EvaluationFiles& files, const SurfaceEvaluation
       "triangles facing down %zu, folded %zu; smallest angle: 1 %% under %.3g, median %.3g deg",
       e.flipped.facing_down, e.flipped.folded, e.quality.smallest_angle_p1,
       e.quality.smallest_angle_median);
+  if (e.truth && e.truth->from_truth_at_picks)
+    text += line("the truth counts as missing within %.4g of a pick, as far as a surface is carried on by default", e.pick_reach);
   text += line("%-36s %12s %12s", "figure", "value", "limit");
   for (const Figure& figure : figuresOf(e, sigma)) {
     const std::string unit = figure.unit.empty() ? "" : " " + figure.unit;

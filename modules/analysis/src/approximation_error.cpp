@@ -2,8 +2,10 @@
 
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
+#include "graben/filters/fault_distance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace graben {
@@ -71,13 +73,10 @@ std::vector<Index> zonePicks(const Points& picks, const FaultNetwork& network, d
   if (!(width >= 0.0))
     throw InvalidInputError("selecting the picks near faults",
                             "the width of the zone must not be negative");
-  std::vector<char> near(picks.size(), 0);
-  parallelFor(picks.size(), kGrain, threads, [&](std::size_t i) {
-    near[i] = picks[i].allFinite() && network.nearest(picks[i], width).fault >= 0 ? 1 : 0;
-  });
+  const std::vector<double> distances = distancesToFaults(picks, network, width, nullptr, threads);
   std::vector<Index> result;
-  for (std::size_t i = 0; i < picks.size(); ++i)
-    if (near[i] != 0)
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    if (std::isfinite(distances[i]))
       result.push_back(static_cast<Index>(i));
   return result;
 }

@@ -4,6 +4,7 @@
 #include "graben/analysis/bridges.h"
 #include "graben/analysis/flipped_triangles.h"
 #include "graben/core/errors.h"
+#include "graben/features/mean_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,7 @@ void checkOptions(const EvaluationOptions& o) {
   check(o.zone_width > 0.0 && std::isfinite(o.zone_width),
         "the width of the zone must be positive");
   check(o.voxel_size >= 0.0 && std::isfinite(o.voxel_size), "the voxel size must not be negative");
+  check(o.pick_reach >= 0.0, "the reach of the picks must not be negative");
   check(o.on_fault >= 0.0, "the tolerance at the faults must not be negative");
   check(o.samples > 0, "the number of samples must be 1 or more");
 }
@@ -44,6 +46,11 @@ PickErrors pickErrors(const EvaluationInput& input, const EvaluationOptions& o) 
   errors.zone = approximationError(distance, zone, o.threads);
   errors.away = approximationError(distance, away, o.threads);
   return errors;
+}
+
+double reachOfPicks(const Points& picks, const EvaluationOptions& o) {
+  constexpr double kReach = 6.0; // mean distances
+  return o.pick_reach > 0.0 ? o.pick_reach : kReach * meanPickDistance(NeighborGrid(picks, 0.0, o.threads), o.threads);
 }
 
 FlippedTriangles flippedTriangles(const EvaluationInput& input, unsigned threads) {
@@ -96,6 +103,9 @@ SurfaceEvaluation evaluateSurface(const EvaluationInput& input, const Evaluation
     distance.samples = options.samples;
     distance.zone_width = options.zone_width;
     distance.threads = options.threads;
+    if (!input.picks.empty())
+      result.pick_reach = distance.pick_reach = reachOfPicks(input.picks, options);
+    distance.picks = distance.pick_reach > 0.0 ? &input.picks : nullptr;
     result.truth = surfaceDistances(input.mesh, input.truth, input.faults, distance);
     result.truth_components = checkTopology(input.truth, options.threads).components;
   }

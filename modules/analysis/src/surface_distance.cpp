@@ -2,6 +2,7 @@
 
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
+#include "graben/features/neighbor_grid.h"
 #include "graben/mesh/normals.h"
 
 #include <algorithm>
@@ -31,43 +32,53 @@ Vector3 pointIn(const TriangleMesh& mesh, const Triangle& triangle, double u, do
 struct Measured {
   std::vector<double> distance;
   std::vector<char> near;
+  std::vector<char> at_picks; ///< empty where it is not asked for
 };
 
-Measured measure(const Points& points, const TriangleBvh& target, const FaultNetwork& network,
+Measured measure(const Points& points, const TriangleBvh& target, const FaultNetwork& network, const NeighborGrid* picks,
                  const SurfaceDistanceOptions& options) {
-  Measured result{std::vector<double>(points.size()), std::vector<char>(points.size(), 0)};
+  Measured result{std::vector<double>(points.size()), std::vector<char>(points.size(), 0), {}};
+  result.at_picks.resize(picks != nullptr ? points.size() : 0);
   parallelFor(points.size(), 512, options.threads, [&](std::size_t i) {
     result.distance[i] = target.nearest(points[i]).distance;
-    result.near[i] =
-        !network.empty() && network.nearest(points[i], options.zone_width).fault >= 0 ? 1 : 0;
+    result.near[i] = !network.empty() && network.nearest(points[i], options.zone_width).fault >= 0 ? 1 : 0;
+    if (picks != nullptr)
+      result.at_picks[i] = picks->nearestOne(points[i], options.pick_reach).index >= 0 ? 1 : 0;
   });
   return result;
 }
 
-/// 0: far, 1: near, 2: all
-std::vector<double> pick(const Measured& measured, int which) {
+/// \param[in] which 0: far, 1: near, 2: all
+std::vector<double> pick(const Measured& measured, int which, bool at_picks) {
   std::vector<double> result;
   for (std::size_t i = 0; i < measured.distance.size(); ++i)
-    if (which == 2 || measured.near[i] == which)
+    if ((which == 2 || measured.near[i] == which) && (!at_picks || measured.at_picks[i] != 0))
       result.push_back(measured.distance[i]);
   return result;
 }
 
-OneWayDistances oneWay(const TriangleMesh& from, const TriangleBvh& target,
-                       const FaultNetwork& network, const SurfaceDistanceOptions& options) {
-  const Measured samples = measure(sampleSurface(from, options.samples), target, network, options);
-  TriangleMesh used;
-  used.vertices = from.vertices;
-  used.triangles = from.triangles;
-  removeUnreferencedVertices(used);
-  const Measured vertices = measure(used.vertices, target, network, options);
+OneWayDistances figuresOf(const Measured& samples, const Measured& vertices, bool at_picks) {
   const auto figures = [&](int which) {
-    DistanceStatistics statistics = distanceStatistics(pick(samples, which));
-    for (const double d : pick(vertices, which))
+    DistanceStatistics statistics = distanceStatistics(pick(samples, which, at_picks));
+    for (const double d : pick(vertices, which, at_picks))
       statistics.max = std::max(statistics.max, d);
     return statistics;
   };
   return {figures(2), figures(1), figures(0)};
+}
+
+/// \param[out] at_picks if \a picks is not null, the figures within their reach
+OneWayDistances oneWay(const TriangleMesh& from, const TriangleBvh& target, const FaultNetwork& network, const NeighborGrid* picks,
+                       const SurfaceDistanceOptions& options, std::optional<OneWayDistances>* at_picks) {
+  const Measured samples = measure(sampleSurface(from, options.samples), target, network, picks, options);
+  TriangleMesh used;
+  used.vertices = from.vertices;
+  used.triangles = from.triangles;
+  removeUnreferencedVertices(used);
+  const Measured vertices = measure(used.vertices, target, network, picks, options);
+  if (picks != nullptr)
+    *at_picks = figuresOf(samples, vertices, true);
+  return figuresOf(samples, vertices, false);
 }
 
 } // namespace
@@ -102,9 +113,16 @@ SurfaceDistances surfaceDistances(const TriangleMesh& mesh, const TriangleMesh& 
     throw InvalidInputError(kStage, "the number of samples must be 1 or more");
   if (!(options.zone_width >= 0.0))
     throw InvalidInputError(kStage, "the width of the zone must not be negative");
+  if (options.picks != nullptr && !(options.pick_reach > 0.0))
+    throw InvalidInputError(kStage, "the reach of the picks must be positive");
   const TriangleBvh mesh_bvh(mesh, options.threads);
   const TriangleBvh truth_bvh(truth, options.threads);
-  return {oneWay(mesh, truth_bvh, network, options), oneWay(truth, mesh_bvh, network, options)};
+  SurfaceDistances result;
+  result.to_truth = oneWay(mesh, truth_bvh, network, nullptr, options, nullptr);
+  const NeighborGrid picks = options.picks != nullptr ? NeighborGrid(*options.picks, 0.0, options.threads) : NeighborGrid();
+  result.from_truth =
+    oneWay(truth, mesh_bvh, network, options.picks != nullptr ? &picks : nullptr, options, &result.from_truth_at_picks);
+  return result;
 }
 
 } // namespace graben

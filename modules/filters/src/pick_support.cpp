@@ -115,7 +115,8 @@ std::vector<SheetBeyond> PickSupport::sheetsBeyond(const Viewpoint& viewpoint) {
     if (field_.states[i] != PickState::Trusted && field_.states[i] != PickState::WrongSide)
       continue;
     const Vector3& p = field_.grid.points()[i];
-    const std::uint64_t signature = faultsBefore(viewpoint, i) ^ field_.home[i];
+    const Home home = field_.home(i);
+    const std::uint64_t signature = faultsBefore(viewpoint, i) ^ home.signature;
     if (signature == 0)
       continue;
     std::size_t s = 0;
@@ -124,7 +125,7 @@ std::vector<SheetBeyond> PickSupport::sheetsBeyond(const Viewpoint& viewpoint) {
     if (s == SHEETS || ++hidden > HIDDEN)
       continue;
     if (s == sheets.size()) {
-      sheets.push_back({signature, field_.examples[i], {}});
+      sheets.push_back({signature, home.example, {}});
       points.emplace_back();
     }
     if (!enough(points[s], viewpoint.at))

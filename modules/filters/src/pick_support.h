@@ -6,6 +6,7 @@
 #include "graben/features/neighbor_grid.h"
 
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace graben::detail {
@@ -20,6 +21,12 @@ enum class PickState : std::uint8_t {
   Doubtful ///< a suspect that nothing explains
 };
 
+/// The sheet that a pick belongs to.
+struct Home {
+  std::uint64_t signature; ///< of the faults between the pick and the sheet; 0: none
+  Index example;           ///< a trusted pick of it
+};
+
 /// The picks of the job and what is known of them so far.
 struct PickField {
   const NeighborGrid& grid;
@@ -29,9 +36,12 @@ struct PickField {
   double band;                   ///< distance to faults up to which picks are judged
   std::vector<double> distances; ///< to the nearest fault; infinite beyond the band
   std::vector<PickState> states;
-  std::vector<std::uint64_t>
-      home;                    ///< fault signature from a wrong-side pick to its own sheet; else 0
-  std::vector<Index> examples; ///< a trusted pick of that sheet; else the pick itself
+  std::unordered_map<std::size_t, Home> homes; ///< of the wrong-side picks found so far
+
+  /// What is known of a pick's own sheet: its signature seen from the pick, and a trusted pick of it.
+  Home home(std::size_t pick) const {
+    return states[pick] == PickState::WrongSide ? homes.at(pick) : Home{0, static_cast<Index>(pick)};
+  }
 };
 
 /// A place that picks are looked at from.

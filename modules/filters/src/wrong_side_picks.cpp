@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace graben {
 namespace {
@@ -95,14 +94,11 @@ public:
       : grid_(grid)
       , faults_(faults)
       , options_(options)
-      , field_{grid, faults, 0.0, 0.0, 0.0, {}, {}, {}, {}} {}
+      , field_{grid, faults, 0.0, 0.0, 0.0, {}, {}, {}} {}
 
   WrongSideResult run() {
     const std::size_t count = grid_.points().size();
     field_.states.assign(count, PickState::Trusted);
-    field_.home.assign(count, 0);
-    field_.examples.resize(count);
-    std::iota(field_.examples.begin(), field_.examples.end(), 0);
     wrong_about_.assign(count, -1);
     field_.distances.assign(count, std::numeric_limits<double>::infinity());
     if (grid_.size() > 0 && !faults_.empty())
@@ -237,10 +233,8 @@ private:
     for (std::size_t i = 0; i < suspects.size(); ++i) {
       const auto pick = static_cast<std::size_t>(suspects[i]);
       field_.states[pick] = found[i].state;
-      if (found[i].state == PickState::WrongSide) {
-        field_.home[pick] = found[i].home;
-        field_.examples[pick] = found[i].example;
-      }
+      if (found[i].state == PickState::WrongSide)
+        field_.homes[pick] = {found[i].home, found[i].example};
       wrong_about_[pick] = found[i].fault;
     }
   }

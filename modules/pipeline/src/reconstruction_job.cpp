@@ -189,9 +189,8 @@ void ReconstructionJob::handOutPicks(const std::vector<Index>& pieces) {
 }
 
 void ReconstructionJob::finish() {
-  if (!options_.skip.tidy)
-    tidy();
-  computeVertexNormals(cut_.mesh, options_.threads);
+  if (options_.skip.tidy || !tidy())
+    computeVertexNormals(cut_.mesh, options_.threads);
   labelPieces(cut_.mesh);
   if (options_.keep_picks)
     normals_ = std::move(planes_.normals);

@@ -40,7 +40,7 @@ private:
   void cut(SheetMesh sheets);
   void fit();
   void refineLocally();
-  void tidy();
+  bool tidy();
   std::size_t remove(const std::vector<Index>& triangles);
   SignedDistanceOptions distanceOptions() const;
   Vector3 latticeOrigin() const;

@@ -117,22 +117,31 @@ void ReconstructionJob::refineLocally() {
 }
 
 /// A few triangles, mostly in the corners between faults, may be folded over or still reach over a fault after the fit; none may stay.
-void ReconstructionJob::tidy() {
+/// \return true if the mesh has the normals of what it is now
+bool ReconstructionJob::tidy() {
   if (cut_.mesh.empty())
-    return;
-  for (int round = 0; round < kUnfoldRounds; ++round) {
+    return false;
+  bool settled = false;
+  for (int round = 0; round < kUnfoldRounds && !settled; ++round) {
     computeVertexNormals(cut_.mesh, options_.threads);
-    relaxTriangles(cut_, turnedTriangles(cut_, true));
-    relaxTriangles(cut_, foldedTriangles(cut_.mesh, options_.threads));
-    relaxTriangles(cut_, trianglesAgainstPicks(cut_, grid_, planes_.normals, result_.report.used.fault_reach));
+    const std::vector<Index> turned = turnedTriangles(cut_, true);
+    relaxTriangles(cut_, turned);
+    const std::vector<Index> folded = foldedTriangles(cut_.mesh, options_.threads);
+    relaxTriangles(cut_, folded);
+    const std::vector<Index> against = trianglesAgainstPicks(cut_, grid_, planes_.normals, result_.report.used.fault_reach);
+    relaxTriangles(cut_, against);
+    settled = turned.empty() && folded.empty() && against.empty();
   }
-  computeVertexNormals(cut_.mesh, options_.threads);
-  result_.report.folds_removed = remove(turnedTriangles(cut_, true));
-  result_.report.folds_removed += remove(foldedTriangles(cut_.mesh));
-  result_.report.folds_removed += remove(trianglesAgainstPicks(cut_, grid_, planes_.normals, result_.report.used.fault_reach));
+  if (!settled) {
+    computeVertexNormals(cut_.mesh, options_.threads);
+    result_.report.folds_removed = remove(turnedTriangles(cut_, true));
+    result_.report.folds_removed += remove(foldedTriangles(cut_.mesh, options_.threads));
+    result_.report.folds_removed += remove(trianglesAgainstPicks(cut_, grid_, planes_.normals, result_.report.used.fault_reach));
+  }
   const double tolerance = kOnFault * result_.report.used.voxel_size;
   if (!faults_.empty())
     result_.report.bridges_removed = remove(bridgingTriangles(cut_.mesh, faults_, tolerance, options_.threads));
+  return settled && result_.report.bridges_removed == 0;
 }
 
 std::size_t ReconstructionJob::remove(const std::vector<Index>& triangles) {

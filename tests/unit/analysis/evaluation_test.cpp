@@ -101,6 +101,27 @@ TEST(Evaluation, IsNotOkWithABridgeOrBadTopology) {
   EXPECT_FALSE(evaluateSurface(twice).ok());
 }
 
+TEST(Evaluation, TruthThatNoPickIsNearToIsNotMissing) {
+  EvaluationInput half;
+  half.truth = test::gridMesh(20);
+  half.mesh = test::gridMesh(10);
+  for (int i = 0; i <= 10; ++i)
+    for (int j = 0; j <= 10; ++j)
+      half.picks.emplace_back(i, j, 0);
+  EvaluationOptions o;
+  o.pick_reach = 1.5;
+  const SurfaceEvaluation e = evaluateSurface(half, o);
+  EXPECT_NEAR(e.truth->from_truth.all.max, std::sqrt(200.0), 1e-9);
+  EXPECT_NEAR(e.truth->from_truth_at_picks->all.max, 1.0, 0.6);
+  EXPECT_LT(e.truth->from_truth_at_picks->all.count, e.truth->from_truth.all.count / 2);
+  EXPECT_EQ(e.pick_reach, 1.5);
+  const auto json = toJson<nlohmann::ordered_json>(e);
+  EXPECT_EQ(json["truth"]["truth_to_surface_at_picks"]["all"]["count"], e.truth->from_truth_at_picks->all.count);
+  EXPECT_NEAR(evaluateSurface(half).pick_reach, 6.0, 1.5);
+  half.picks.clear();
+  EXPECT_FALSE(evaluateSurface(half).truth->from_truth_at_picks);
+}
+
 TEST(Evaluation, RefusesNonsense) {
   EXPECT_THROW(evaluateSurface({}), InvalidInputError);
   EvaluationInput bare;

@@ -25,6 +25,9 @@ struct EvaluationOptions {
   double voxel_size = 0.0; ///< h, the measure for tolerances at the faults, in x, y units; 0: the
                            ///< mesh's median edge length
   double on_fault = 0.01;  ///< a vertex up to this share of h from a fault lies on it
+  /// The truth counts as missing only within this distance of a pick, x, y units; 0: six mean distances from pick to pick, as far as a
+  /// reconstruction carries a surface on by default. Without picks all counts.
+  double pick_reach = 0.0;
   std::size_t samples = 100000; ///< sample points on each surface, and over all cutoff lines
   unsigned threads = 0;         ///< 0: one per processor
 };
@@ -54,6 +57,7 @@ struct SurfaceEvaluation {
   std::optional<std::vector<Index>> bridging_triangles; ///< see bridgingTriangles
   std::optional<SealReport> seal;                       ///< border vertices within h of a fault
   std::optional<SurfaceDistances> truth;
+  double pick_reach = 0.0; ///< as used for the truth; 0 without picks
   std::size_t truth_components = 0; ///< pieces there should be
   std::optional<SealReport>
       seal_by_truth; ///< border vertices in the whole zone where the truth ends at a fault

@@ -77,10 +77,15 @@ Json toJson(const SurfaceEvaluation& e) {
     j["seal"] = toJson<Json>(e.seal->all);
   if (e.seal_by_truth)
     j["seal_by_truth"] = toJson<Json>(e.seal_by_truth->all);
-  if (e.truth)
+  if (e.truth) {
     j["truth"] = {{"pieces", e.truth_components},
                   {"surface_to_truth", toJson<Json>(e.truth->to_truth)},
                   {"truth_to_surface", toJson<Json>(e.truth->from_truth)}};
+    if (e.truth->from_truth_at_picks) {
+      j["truth"]["pick_reach"] = e.pick_reach;
+      j["truth"]["truth_to_surface_at_picks"] = toJson<Json>(*e.truth->from_truth_at_picks);
+    }
+  }
   if (e.cutoffs)
     j["cutoffs"] = toJson<Json>(e.cutoffs->all);
   j["ok"] = e.ok();

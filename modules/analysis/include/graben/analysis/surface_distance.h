@@ -3,6 +3,8 @@
 #include "graben/analysis/statistics.h"
 #include "graben/faults/fault_network.h"
 
+#include <optional>
+
 namespace graben {
 
 struct SurfaceDistanceOptions {
@@ -10,6 +12,9 @@ struct SurfaceDistanceOptions {
   double zone_width =
       0.0; ///< sample points up to this far from a fault are near, unit of the coordinates
   unsigned threads = 0; ///< 0: one per processor
+  /// The picks that the mesh was made from, or null; with them the truth is also measured without what no pick is near to.
+  const Points* picks = nullptr;
+  double pick_reach = 0.0; ///< how far from all picks the truth still counts then; more than 0
 };
 
 /// Distances from one surface to another. The samples are spread evenly over the area, so means and
@@ -23,6 +28,7 @@ struct OneWayDistances {
 struct SurfaceDistances {
   OneWayDistances to_truth;   ///< from the mesh to the truth: what is there and should not be
   OneWayDistances from_truth; ///< from the truth to the mesh: what is missing
+  std::optional<OneWayDistances> from_truth_at_picks; ///< the same within the picks' reach: without holes in the data
 };
 
 /// Distances both ways between a mesh and the true surface; O((n + samples) log n), deterministic.
