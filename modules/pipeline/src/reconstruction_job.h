@@ -41,6 +41,7 @@ private:
   void fit();
   void refineLocally();
   bool tidy();
+  std::vector<Index> trianglesAgainstPicks() const;
   std::size_t remove(const std::vector<Index>& triangles);
   SignedDistanceOptions distanceOptions() const;
   Vector3 latticeOrigin() const;

@@ -128,7 +128,7 @@ bool ReconstructionJob::tidy() {
     relaxTriangles(cut_, turned);
     const std::vector<Index> folded = foldedTriangles(cut_.mesh, options_.threads);
     relaxTriangles(cut_, folded);
-    const std::vector<Index> against = trianglesAgainstPicks(cut_, grid_, planes_.normals, result_.report.used.fault_reach);
+    const std::vector<Index> against = trianglesAgainstPicks();
     relaxTriangles(cut_, against);
     settled = turned.empty() && folded.empty() && against.empty();
   }
@@ -136,12 +136,17 @@ bool ReconstructionJob::tidy() {
     computeVertexNormals(cut_.mesh, options_.threads);
     result_.report.folds_removed = remove(turnedTriangles(cut_, true));
     result_.report.folds_removed += remove(foldedTriangles(cut_.mesh, options_.threads));
-    result_.report.folds_removed += remove(trianglesAgainstPicks(cut_, grid_, planes_.normals, result_.report.used.fault_reach));
+    result_.report.folds_removed += remove(trianglesAgainstPicks());
   }
   const double tolerance = kOnFault * result_.report.used.voxel_size;
   if (!faults_.empty())
     result_.report.bridges_removed = remove(bridgingTriangles(cut_.mesh, faults_, tolerance, options_.threads));
   return settled && result_.report.bridges_removed == 0;
+}
+
+/// Only faults make any; on a thin part of an object the nearest pick may well be one of its far side.
+std::vector<Index> ReconstructionJob::trianglesAgainstPicks() const {
+  return faults_.empty() ? std::vector<Index>() : graben::trianglesAgainstPicks(cut_, grid_, planes_.normals, result_.report.used.fault_reach);
 }
 
 std::size_t ReconstructionJob::remove(const std::vector<Index>& triangles) {

@@ -19,6 +19,8 @@ constexpr std::size_t kShortList = 6;   // models that are tried on all
 constexpr LocalModel kModels[] = {{1, 8},   {1, 12},  {1, 18},  {1, 27},  {1, 40}, {1, 60}, {1, 90}, {2, 14},  {2, 25},  {2, 40},  {2, 60},  {2, 90},
                                   {2, 140}, {2, 200}, {2, 300}, {3, 25}, {3, 40}, {3, 60}, {3, 90}, {3, 140}, {3, 200}, {3, 300}, {3, 400}};
 constexpr LocalModel kModelsWithDips[] = {{1, 4}, {2, 5}, {2, 9}, {3, 6}, {3, 9}, {3, 14}};
+constexpr double kMedianSquare = 0.455; // median of the squared standard normal distribution
+constexpr double kLargest = 5.0; // standard deviations
 constexpr double kSlopeNoise = 0.035; // of a measured dip: 2 degrees
 
 struct Samples {
@@ -106,7 +108,8 @@ void predict(const LocalFit& fit, Index pick, const std::vector<LocalModel>& mod
   s.count = all;
 }
 
-/// For each model the mean of the squared errors, the largest two hundredths (blunders) left out.
+/// For each model the mean of the squared errors. One of more than kLargest standard deviations counts as just that: blunders, and picks on parts too thin
+/// for a tangent plane, must not outvote the others.
 std::vector<double> predictionErrors(const LocalFit& fit, const std::vector<Index>& picks, const std::vector<LocalModel>& models,
                                      unsigned threads) {
   std::vector<double> squared(picks.size() * models.size());
@@ -115,16 +118,23 @@ std::vector<double> predictionErrors(const LocalFit& fit, const std::vector<Inde
     for (std::size_t i = begin; i < end; ++i)
       predict(fit, picks[i], models, scratch, &squared[i * models.size()]);
   });
-  std::vector<double> errors;
+  std::vector<std::vector<double>> of_model(models.size());
+  double variance = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < models.size(); ++m) {
-    std::vector<double> values;
+    std::vector<double>& values = of_model[m];
     for (std::size_t i = m; i < squared.size(); i += models.size())
       if (squared[i] >= 0.0)
         values.push_back(squared[i]);
     std::sort(values.begin(), values.end());
-    values.resize(values.size() - values.size() / 50);
-    errors.push_back(values.empty() ? std::numeric_limits<double>::infinity()
-                                    : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size()));
+    if (!values.empty())
+      variance = std::min(variance, values[values.size() / 2] / kMedianSquare);
+  }
+  std::vector<double> errors;
+  for (const std::vector<double>& values : of_model) {
+    double sum = 0.0;
+    for (const double value : values)
+      sum += std::min(value, kLargest * kLargest * variance);
+    errors.push_back(values.empty() ? std::numeric_limits<double>::infinity() : sum / static_cast<double>(values.size()));
   }
   return errors;
 }
