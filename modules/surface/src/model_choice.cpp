@@ -19,7 +19,7 @@ constexpr std::size_t kShortList = 6;   // models that are tried on all
 constexpr LocalModel kModels[] = {{1, 8},   {1, 12},  {1, 18},  {1, 27},  {1, 40}, {1, 60}, {1, 90}, {2, 14},  {2, 25},  {2, 40},  {2, 60},  {2, 90},
                                   {2, 140}, {2, 200}, {2, 300}, {3, 25}, {3, 40}, {3, 60}, {3, 90}, {3, 140}, {3, 200}, {3, 300}, {3, 400}};
 constexpr LocalModel kModelsWithDips[] = {{1, 4}, {2, 5}, {2, 9}, {3, 6}, {3, 9}, {3, 14}};
-constexpr double kMedianSquare = 0.455; // median of the squared standard normal distribution
+constexpr double kUsualSquare = 1.642; // four fifths of the squares of standard normal numbers are smaller
 constexpr double kLargest = 5.0; // standard deviations
 constexpr double kSlopeNoise = 0.035; // of a measured dip: 2 degrees
 
@@ -82,7 +82,7 @@ void sortByDistance(LocalFit::Scratch& s) {
   arrange(s.index, before);
 }
 
-/// Squared errors of predicting one pick from the others with each model; -1 where it can't be done.
+/// Squared errors of predicting one pick, and its dip if that was measured, from the others with each model; -1 where it can't be done.
 void predict(const LocalFit& fit, Index pick, const std::vector<LocalModel>& models, LocalFit::Scratch& s, double* squared) {
   std::fill_n(squared, models.size(), -1.0);
   const auto p = static_cast<std::size_t>(pick);
@@ -95,6 +95,8 @@ void predict(const LocalFit& fit, Index pick, const std::vector<LocalModel>& mod
     return;
   sortByDistance(s);
   const std::size_t all = s.count;
+  // What a model says of a measured dip counts as the height it would be off by half-way to the next pick.
+  const double slope_scale = fit.isMeasured(pick) ? fit.usualRadius(1) : 0.0;
   for (std::size_t m = 0; m < models.size(); ++m) {
     const std::size_t last = std::min(all, models[m].neighbors) - 1;
     frame.radius = std::sqrt(LocalFit::kRim * s.squared[last]);
@@ -103,7 +105,7 @@ void predict(const LocalFit& fit, Index pick, const std::vector<LocalModel>& mod
     const double leverage = fit.solve(frame, models[m], s, pick);
     const LocalEstimate e = frame.from(fit.grid().points()[p], frame.normal);
     if (e.valid && leverage < 0.999)
-      squared[m] = std::pow(e.offset / (1.0 - leverage), 2);
+      squared[m] = std::pow(e.offset / (1.0 - leverage), 2) + slope_scale * slope_scale * (e.normal - fit.planes().normals[p]).squaredNorm();
   }
   s.count = all;
 }
@@ -118,22 +120,18 @@ std::vector<double> predictionErrors(const LocalFit& fit, const std::vector<Inde
     for (std::size_t i = begin; i < end; ++i)
       predict(fit, picks[i], models, scratch, &squared[i * models.size()]);
   });
-  std::vector<std::vector<double>> of_model(models.size());
-  double variance = std::numeric_limits<double>::infinity();
+  std::vector<double> errors;
+  std::vector<double> values;
   for (std::size_t m = 0; m < models.size(); ++m) {
-    std::vector<double>& values = of_model[m];
+    values.clear();
     for (std::size_t i = m; i < squared.size(); i += models.size())
       if (squared[i] >= 0.0)
         values.push_back(squared[i]);
     std::sort(values.begin(), values.end());
-    if (!values.empty())
-      variance = std::min(variance, values[values.size() / 2] / kMedianSquare);
-  }
-  std::vector<double> errors;
-  for (const std::vector<double>& values : of_model) {
+    const double largest = values.empty() ? 0.0 : kLargest * kLargest / kUsualSquare * values[values.size() * 4 / 5];
     double sum = 0.0;
     for (const double value : values)
-      sum += std::min(value, kLargest * kLargest * variance);
+      sum += std::min(value, largest);
     errors.push_back(values.empty() ? std::numeric_limits<double>::infinity() : sum / static_cast<double>(values.size()));
   }
   return errors;

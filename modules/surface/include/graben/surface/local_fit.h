@@ -90,6 +90,9 @@ public:
   /// Radius of a disc that holds this many picks at the picks' usual density.
   double usualRadius(std::size_t picks) const { return pace_ * std::sqrt(static_cast<double>(picks)); }
 
+  /// True if the pick's dip was measured.
+  bool isMeasured(Index pick) const { return !measured_.empty() && measured_[static_cast<std::size_t>(pick)]; }
+
   const NeighborGrid& grid() const { return grid_; }
   const TangentPlanes& planes() const { return planes_; }
   const FaultNetwork& faults() const { return faults_; }
