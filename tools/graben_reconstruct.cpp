@@ -1,10 +1,13 @@
 #include "support/horizon_options.h"
+#include "support/progress_display.h"
 #include "support/results_folder.h"
 #include "support/run.h"
 
 #include "graben/core/errors.h"
+#include "graben/pipeline/stage_clock.h"
 
 #include <cstdio>
+#include <optional>
 
 namespace graben {
 namespace {
@@ -18,6 +21,7 @@ OptionParser parser() {
     .value("results", "DIR", "folder for all that goes with it: pieces, picks, cut faults, report, pictures")
     .flag("gocad-properties", "write piece, pick_distance and extrapolated into --output .ts too (PVRTX lines, which some readers refuse)")
     .value("report", "FILE.json", "the report alone")
+    .flag("progress", "say what is being done each second; on a terminal that is done anyway")
     .flag("quiet", "say nothing but errors");
   p.epilog("Example:\n  graben_reconstruct --horizon top.poi --fault F1.pol F2.pol --output top.ply --results results/\n");
   return p;
@@ -47,13 +51,15 @@ void say(const ReconstructionResult& result) {
     std::printf("at faults  E %.4g before the fit, %.4g after; %zu bridging triangles; %.1f %% of border vertices on the faults\n",
                 r.zone_before_fit.mean_square, r.zone_after_fit.mean_square, r.bridging_triangles, 100.0 * r.seal.all.share);
   for (const StageTiming& s : r.stages)
-    std::printf("%-15s %8.3f s\n", s.stage.c_str(), s.seconds);
+    std::printf("%-16s %8.3f s %8.0f MB, peak %.0f MB\n", s.stage.c_str(), s.seconds, 1e-6 * static_cast<double>(s.resident_bytes),
+                1e-6 * static_cast<double>(s.peak_bytes));
 }
 
 /// Errors name the file of the picks.
-ReconstructionResult reconstruct(const OptionValues& values, HorizonInput input) {
+ReconstructionResult reconstruct(const OptionValues& values, HorizonInput input, const ProgressCallback& progress) {
   ReconstructionOptions options = reconstructionOptions(values, input.picks.z_positive);
   options.keep_picks = values.has("results");
+  options.progress = progress;
   try {
     return HorizonReconstruction(options).reconstruct(std::move(input.picks.points), input.faults, input.dips);
   } catch (const Error& error) {
@@ -61,19 +67,36 @@ ReconstructionResult reconstruct(const OptionValues& values, HorizonInput input)
   }
 }
 
+ProgressDisplay::Mode progressMode(const OptionValues& values) {
+  if (values.has("progress"))
+    return ProgressDisplay::Mode::Always;
+  return values.has("quiet") ? ProgressDisplay::Mode::Off : ProgressDisplay::Mode::Terminal;
+}
+
 int run(const OptionValues& values) {
   const bool quiet = values.has("quiet");
   if (!values.has("output") && !values.has("results"))
     throw UsageError("--output SURFACE is missing: where shall the horizon go?");
   checkOutputs(values);
-  HorizonInput input = readHorizonInput(values);
-  for (const std::string& note : input.notes)
-    if (!quiet)
-      std::fprintf(stderr, "note: %s\n", note.c_str());
-  const ReconstructionResult result = reconstruct(values, std::move(input));
+  std::optional<ProgressDisplay> display(progressMode(values));
+  const ProgressCallback progress = display->callback();
+  std::vector<StageTiming> stages;
+  StageClock clock(stages, progress);
+  clock.start("reading");
+  HorizonInput input = readHorizonInput(values, progress);
+  clock.stop();
+  std::vector<std::string> notes = std::move(input.notes);
+  ReconstructionResult result = reconstruct(values, std::move(input), progress);
+  std::vector<StageTiming>& all = result.report.stages;
+  all.insert(all.begin(), stages.begin(), stages.end());
+  StageClock writing(all, progress);
+  writing.start("writing");
+  for (const std::string& note : writeOutputs(values, result))
+    notes.push_back(note);
+  writing.stop();
+  display.reset();
   for (const std::string& warning : result.report.warnings)
     std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  const std::vector<std::string> notes = writeOutputs(values, result);
   if (quiet)
     return 0;
   for (const std::string& note : notes)

@@ -47,16 +47,18 @@ void declareParameterOptions(OptionParser& parser) {
     .value("orientation", "MODE", "of the normals: mst (spanning tree) or up", "mst")
     .value("z-scale", "S", "z is multiplied by this for all distances, as for time in ms against metres", "1")
     .value("z-positive", "WAY", "up (elevation), down (depth, time) or auto (as the file says)", "auto")
-    .value("threads", "N", "0: one per processor", "0");
+    .value("threads", "N", "0: one per processor", "0")
+    .value("memory-limit", "GB", "a job that would need more is refused before it starts; 0: none is (default: three quarters of the memory)");
   parser.section("For comparisons").list("skip", "STEP", "steps to leave out, each of which makes the surface better: " + stepNames());
 }
 
-HorizonInput readHorizonInput(const OptionValues& values) {
+HorizonInput readHorizonInput(const OptionValues& values, const ProgressCallback& progress) {
   if (!values.has("horizon"))
     throw UsageError("--horizon PICKS is missing: which file holds the picks?");
   HorizonInput input;
   ReadOptions read;
   read.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
+  read.progress = progress;
   input.picks = readPicks(values.text("horizon"), read);
   input.notes = input.picks.notes;
   for (const std::string& file : values.texts("fault"))
@@ -92,7 +94,7 @@ ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositiv
   if (o.z_positive == ZPositive::Unknown)
     o.z_positive = z_positive;
   o.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
-  o.memory_limit = defaultMemoryLimit();
+  o.memory_limit = values.text("memory-limit").empty() ? defaultMemoryLimit() : static_cast<std::size_t>(1e9 * values.number("memory-limit", 0.0, 1e6));
   for (const std::string& step : values.texts("skip"))
     if (!skipStep(o.skip, step))
       throw UsageError("option --skip: '" + step + "' is not one of " + stepNames());

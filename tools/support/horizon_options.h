@@ -20,7 +20,7 @@ void declareHorizonOptions(OptionParser& parser);
 /// The parameters alone, for commands with an input of their own.
 void declareParameterOptions(OptionParser& parser);
 
-HorizonInput readHorizonInput(const OptionValues& values);
+HorizonInput readHorizonInput(const OptionValues& values, const ProgressCallback& progress = {});
 
 /// \param[in] values   a parsed command line
 /// \param[in] z_positive what the picks' file says

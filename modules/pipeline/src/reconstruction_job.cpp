@@ -5,6 +5,7 @@
 #include "fault_preparation.h"
 
 #include "graben/analysis/approximation_error.h"
+#include "graben/core/errors.h"
 #include "graben/core/threads.h"
 #include "graben/features/mean_distance.h"
 #include "graben/features/orientation.h"
@@ -35,6 +36,8 @@ std::size_t neighborsFor(const Sampling& sampling, double delta, double mean_dis
 
 constexpr double kMeasurementReach = 2.0; // rho + delta: farther than this from all picks a measurement is not of this horizon
 
+constexpr std::size_t kBytesPerPick = 150; // until the normals are known: point, order, neighbours, plane; measured with a million picks
+
 std::string shortNumber(double value) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.4g", value);
@@ -47,6 +50,7 @@ ReconstructionJob::ReconstructionJob(const ReconstructionOptions& options, Recon
   : options_(options), result_(result), clock_(result.report.stages, options.progress) {}
 
 void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faults, const std::vector<DipMeasurement>& dips) {
+  checkMemory(picks.size() + dips.size());
   clock_.start("neighbours");
   toLocalFrame(std::move(picks), dips);
   prepareParameters();
@@ -68,6 +72,17 @@ void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faul
   clock_.start("evaluation");
   finish();
   clock_.stop();
+}
+
+void ReconstructionJob::checkMemory(std::size_t picks) {
+  if (options_.memory_limit == 0)
+    return;
+  const std::size_t needed = kBytesPerPick * picks;
+  if (needed >= options_.memory_limit)
+    throw ResourceError("memory", std::to_string(picks) + " picks need about " + shortNumber(1e-9 * static_cast<double>(needed)) + " GB, but the limit is " +
+                                    shortNumber(1e-9 * static_cast<double>(options_.memory_limit)) + " GB, which does for " +
+                                    std::to_string(options_.memory_limit / (2 * kBytesPerPick)) + " picks; thin them out or raise the limit");
+  surface_memory_ = options_.memory_limit - needed;
 }
 
 void ReconstructionJob::toLocalFrame(Points picks, const std::vector<DipMeasurement>& dips) {
@@ -110,7 +125,7 @@ void ReconstructionJob::prepareParameters() {
   used.orientation = options_.orientation == OrientationMethod::SpanningTree ? "mst" : "up";
   used.z_positive = result_.frame.z_positive == ZPositive::Down ? "down" : "up";
   used.skipped = names(options_.skip);
-  checkVoxelSize(grid_, {used.voxel_size, latticeOrigin()}, rhoPlusDelta(), options_.memory_limit, options_.threads);
+  checkVoxelSize(grid_, {used.voxel_size, latticeOrigin()}, rhoPlusDelta(), surface_memory_, options_.threads);
 }
 
 void ReconstructionJob::buildFaults(const std::vector<FaultGeometry>& faults) {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "graben/pipeline/horizon_reconstruction.h"
+#include "graben/pipeline/stage_clock.h"
 
 #include "ordered_picks.h"
-#include "stage_clock.h"
 
 #include "graben/features/neighbor_grid.h"
 #include "graben/features/tangent_planes.h"
@@ -27,6 +27,7 @@ private:
   void toLocalFrame(Points picks, const std::vector<DipMeasurement>& dips);
   void prepareParameters();
   void checkMeasurements();
+  void checkMemory(std::size_t picks);
   void buildFaults(const std::vector<FaultGeometry>& faults);
   void setWrongSidePicksAside();
   void estimateNormals();
@@ -57,6 +58,7 @@ private:
   std::vector<PickReason> reasons_;              ///< of each of them
   std::vector<std::pair<Index, Vector3>> aside_; ///< those set aside
   double mean_distance_ = 0.0;
+  std::size_t surface_memory_ = 0; ///< what the limit leaves for the surface; 0: no limit
   NeighborGrid grid_;
   FaultNetwork faults_;
   FaultNetwork no_faults_;

@@ -86,7 +86,7 @@ std::string toJson(const ReconstructionReport& r, bool with_timings) {
   if (with_timings) {
     j["stages"] = Json::array();
     for (const StageTiming& s : r.stages)
-      j["stages"].push_back({{"stage", s.stage}, {"seconds", s.seconds}, {"peak_bytes", s.peak_bytes}});
+      j["stages"].push_back({{"stage", s.stage}, {"seconds", s.seconds}, {"resident_bytes", s.resident_bytes}, {"peak_bytes", s.peak_bytes}});
   }
   return j.dump(2) + "\n";
 }

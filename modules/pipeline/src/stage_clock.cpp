@@ -1,4 +1,4 @@
-#include "stage_clock.h"
+#include "graben/pipeline/stage_clock.h"
 
 #include "graben/core/memory.h"
 
@@ -18,7 +18,7 @@ void StageClock::stop() {
   if (stage_.empty())
     return;
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-  timings_.push_back({stage_, elapsed.count(), peakResidentMemory()});
+  timings_.push_back({stage_, elapsed.count(), residentMemory(), peakResidentMemory()});
   report(progress_, stage_, 1.0);
   stage_.clear();
 }

@@ -57,7 +57,7 @@ SheetMesh ReconstructionJob::extract() {
   extraction.flip_angle = options_.flip_angle;
   extraction.snap = options_.skip.snap ? 0.0 : surface_defaults::kSnap;
   extraction.threads = options_.threads;
-  extraction.memory_limit = options_.memory_limit;
+  extraction.memory_limit = surface_memory_;
   extraction.progress = options_.progress;
   const SignedDistance field(grid_, planes_, faultsUnless(options_.skip.sides), distanceOptions());
   SheetMesh sheets = extractSheets(field, extraction);

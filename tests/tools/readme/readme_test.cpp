@@ -105,7 +105,7 @@ TEST_F(Readme, ConfigurationFileIsTakenAndChangesNothing) {
   // The lines in comments are options too.
   std::string all = std::regex_replace(source("config/parameters/example.conf"),
                                        std::regex("(^|\n)# ([a-z-]+ = )"), "$1$2");
-  all = std::regex_replace(all, std::regex("(^|\n)(horizon|fault|output|results) = [^\n]*"), "");
+  all = std::regex_replace(all, std::regex("(^|\n)(horizon|fault|dips|output|results) = [^\n]*"), "");
   write("all.conf", all);
   EXPECT_NE(all.find("\nrho = "), std::string::npos);
   EXPECT_EQ(run("reconstruct", job + "all.ply --config all.conf").code, 0);

@@ -8,6 +8,8 @@
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/io/pcd_io.h>
 
+#include <algorithm>
+
 namespace graben {
 namespace {
 
@@ -114,6 +116,52 @@ TEST_F(ReconstructResults, ReportIsJsonWithTheSameFiguresAsTheFolder) {
   EXPECT_EQ(report["topology"]["triangles"], readMesh(path("r/surface.ply")).triangles.size());
   EXPECT_EQ(report["faults"].size(), 1U);
   EXPECT_GT(report["stages"].size(), 5U);
+}
+
+TEST_F(ReconstructResults, ProgressIsToldEachSecondButNotUnasked) {
+  synthesize("s", "--kind normal --picks 60000");
+  const std::string arguments = "--horizon s/horizon.xyz --fault s/fault_1.ts --output top.ply --threads 1 ";
+  const test::Outcome asked = reconstruct(arguments + "--progress");
+  ASSERT_EQ(asked.code, 0);
+  EXPECT_THAT(asked.errors, StartsWith("progress: "));
+  const auto report = asked.output.find("reading ");
+  ASSERT_NE(report, std::string::npos) << "time and memory of each stage";
+  EXPECT_THAT(asked.output.substr(report), testing::AllOf(HasSubstr("writing "), HasSubstr(" MB, peak ")));
+  EXPECT_THAT(reconstruct(arguments).errors, testing::Not(HasSubstr("progress: ")));
+}
+
+TEST_F(ReconstructResults, DipsFromATableAreUsedAndCounted) {
+  synthesize("s", "--kind normal --picks 2000");
+  const std::string row = content("s/horizon.xyz").substr(0, content("s/horizon.xyz").find('\n'));
+  std::string place = row;
+  std::replace(place.begin(), place.end(), ' ', ',');
+  write("dips.csv", "x,y,z,strike,dip\n" + place + ",0,10\n0,0,1000000,0,10\n");
+  const test::Outcome outcome = reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --dips dips.csv --results r");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.errors, HasSubstr("warning: 1 of 2 dip measurements are farther than"));
+  EXPECT_THAT(outcome.output, HasSubstr("1 of 2 measurements used"));
+  const auto report = nlohmann::json::parse(content("r/report.json"));
+  EXPECT_EQ(report["dip_measurements"]["count"], 2);
+  EXPECT_EQ(report["picks"]["count"], 2000);
+  pcl::PCLPointCloud2 cloud;
+  ASSERT_EQ(pcl::io::loadPCDFile(path("r/picks.pcd"), cloud), 0);
+  EXPECT_EQ(cloud.width * cloud.height, 2000U);
+}
+
+TEST_F(ReconstructResults, ThrowsAndDistancesToPicksAreWritten) {
+  synthesize("s", "--kind normal --picks 4000");
+  ASSERT_EQ(reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --results r --output top.ts --gocad-properties").code, 0);
+  EXPECT_THAT(content("r/throw_1_fault_1.csv"),
+              StartsWith("x,y,z,hanging_wall_x,hanging_wall_y,hanging_wall_z,along,throw,heave,dip_slip\n"));
+  const auto report = nlohmann::json::parse(content("r/report.json"));
+  EXPECT_GT(report["faults"][0]["throw"]["samples"], 50);
+  EXPECT_NEAR(report["faults"][0]["throw"]["mean"], 83.0, 4.0);
+  for (const std::string file : {"r/surface.ply", "top.ts"}) {
+    const TriangleMesh mesh = readMesh(path(file));
+    ASSERT_EQ(mesh.scalars.count("pick_distance"), 1U) << file;
+    EXPECT_EQ(mesh.scalars.at("extrapolated").size(), mesh.vertices.size()) << file;
+  }
+  EXPECT_THAT(content("r/surface.vtk"), HasSubstr("pick_distance"));
 }
 
 TEST_F(ReconstructResults, OneAndFourThreadsGiveTheSameBytes) {

@@ -105,6 +105,21 @@ TEST_F(ReconstructWrongUse, TooSmallAVoxelIsAnErrorNotAHang) {
               {"picks.xyz", "voxel size"});
 }
 
+TEST_F(ReconstructWrongUse, TooLittleMemoryIsSaidBeforeTheWorkStarts) {
+  expectError("--horizon picks.xyz --output top.ply --memory-limit 1e-5", 1, {"400 picks need", "limit", "thin them out"});
+  expectError("--horizon picks.xyz --output top.ply --voxel-size 0.01 --memory-limit 0.01", 1, {"voxel size of"});
+  EXPECT_EQ(run("reconstruct", "--horizon picks.xyz --output top.ply --memory-limit 0 --quiet").code, 0);
+}
+
+TEST_F(ReconstructWrongUse, OfSkippedStepsListsThem) {
+  expectError("--horizon picks.xyz --output top.ply --skip everything", 2, {"--skip", "everything", "zone-fit"});
+}
+
+TEST_F(ReconstructWrongUse, OfDipsNamesFileAndLine) {
+  write("dips.csv", "x,y,z,dip,azimuth\n0,0,100,95,0\n");
+  expectError("--horizon picks.xyz --dips dips.csv --output top.ply", 1, {"dips.csv:2"});
+}
+
 TEST_F(ReconstructWrongUse, AFaultThatTouchesNothingIsAWarning) {
   const test::Outcome outcome =
       run("reconstruct", "--horizon picks.xyz --fault far.pol --output top.ply --quiet");

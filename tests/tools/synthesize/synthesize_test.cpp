@@ -1,3 +1,5 @@
+#include "support/tool.h"
+
 #include "graben/io/fault_reader.h"
 #include "graben/io/mesh_reader.h"
 #include "graben/io/pick_reader.h"
@@ -7,60 +9,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
-
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-
 namespace graben {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Outcome;
 using testing::HasSubstr;
 
-struct Outcome {
-  int code = -1;
-  std::string output; ///< both streams
-};
-
-class Synthesize : public testing::Test {
+class Synthesize : public test::ToolTest {
 protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("graben_synthesize_" + std::string(test->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  /// Runs the tool in the test's own, at first empty, folder.
-  Outcome run(const std::string& arguments) const {
-    const std::string command = "cd '" + folder_.string() +
-                                "' && '" GRABEN_BIN_DIR "/graben_synthesize' " + arguments +
-                                " 2>&1";
-    FILE* pipe = popen(command.c_str(), "r");
-    Outcome outcome;
-    std::array<char, 4096> buffer{};
-    for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-      outcome.output.append(buffer.data(), n);
-    const int status = pclose(pipe);
-    outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return outcome;
-  }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  std::string content(const std::string& name) const {
-    std::ifstream in(path(name), std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
-
-  fs::path folder_;
+  test::Outcome run(const std::string& arguments) const { return ToolTest::run("synthesize", arguments); }
 };
 
 TEST_F(Synthesize, WrongUseExitsWithTwoAndWritesNothing) {
@@ -79,20 +37,20 @@ TEST_F(Synthesize, WrongUseExitsWithTwoAndWritesNothing) {
   for (const auto& [arguments, message] : cases) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_THAT(outcome.output, HasSubstr("graben_synthesize: error: "));
-    EXPECT_THAT(outcome.output, HasSubstr(message));
+    EXPECT_THAT(outcome.errors, HasSubstr("graben_synthesize: error: "));
+    EXPECT_THAT(outcome.errors, HasSubstr(message));
   }
-  EXPECT_TRUE(fs::is_empty(folder_));
+  EXPECT_TRUE(names().empty());
 }
 
 TEST_F(Synthesize, ImpossibleRequestsExitWithOne) {
-  std::ofstream(path("taken")) << "a file";
+  write("taken", "a file");
   EXPECT_EQ(run("--output d --dip 5").code, 1);
-  EXPECT_THAT(run("--output d --hole 0,0,9000").output, HasSubstr("no room for picks"));
+  EXPECT_THAT(run("--output d --hole 0,0,9000").errors, HasSubstr("no room for picks"));
   EXPECT_EQ(run("--output d --hole 0,0,9000").code, 1);
   const Outcome outcome = run("--output taken");
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.output, HasSubstr("taken"));
+  EXPECT_THAT(outcome.errors, HasSubstr("taken"));
   EXPECT_EQ(content("taken"), "a file");
 }
 
@@ -107,7 +65,7 @@ TEST_F(Synthesize, HelpAndVersion) {
 TEST_F(Synthesize, FilesReadBackAsTheModelSays) {
   const Outcome outcome = run("--output d/e --kind branch --picks 3000 --origin "
                               "461000,5931000,1700 --z-positive down --noise 0");
-  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
   SyntheticOptions o = SyntheticOptions::of(SyntheticKind::Branch);
   o.picks = 3000;
   o.noise = 0.0;
@@ -179,7 +137,7 @@ TEST_F(Synthesize, EveryFormatHoldsTheSamePicks) {
 
 TEST_F(Synthesize, ASecondRunLeavesNoFaultsOfTheFirstAndNothingElseIsTouched) {
   ASSERT_EQ(run("--output d --kind cross --picks 1000").code, 0);
-  std::ofstream(path("d/mine.txt")) << "mine";
+  write("d/mine.txt", "mine");
   ASSERT_TRUE(fs::exists(path("d/fault_2.ts")));
   ASSERT_EQ(run("--output d --kind normal --picks 1000").code, 0);
   EXPECT_TRUE(fs::exists(path("d/fault_1.ts")));
@@ -189,8 +147,7 @@ TEST_F(Synthesize, ASecondRunLeavesNoFaultsOfTheFirstAndNothingElseIsTouched) {
 }
 
 TEST_F(Synthesize, SameBytesForEveryNumberOfThreadsAndFromAConfigurationFile) {
-  std::ofstream(path("run.cfg"))
-      << "kind = conjugate\npicks = 40000\nseed = 7\nhole = 0,0,300 900,900,200\n";
+  write("run.cfg", "kind = conjugate\npicks = 40000\nseed = 7\nhole = 0,0,300 900,900,200\n");
   ASSERT_EQ(run("--output a --config run.cfg --threads 1").code, 0);
   ASSERT_EQ(run("--output b --config run.cfg --threads 4").code, 0);
   ASSERT_EQ(

@@ -59,7 +59,7 @@ TEST(Dips, MakeTheShapeBetweenThePicks) {
   const ReconstructionResult without = HorizonReconstruction(options()).reconstruct(w.picks);
   const ReconstructionResult with = HorizonReconstruction(options()).reconstruct(w.picks, {}, w.dips);
   EXPECT_NEAR(rms(without.mesh), kHeight / std::sqrt(2.0), 0.1) << "flat";
-  EXPECT_LT(rms(with.mesh), 0.65 * rms(without.mesh)) << "of waves with one measurement for each half wave";
+  EXPECT_LT(rms(with.mesh), 0.3 * rms(without.mesh)) << "of waves with one measurement for each half wave";
   EXPECT_EQ(with.report.measurements, w.dips.size());
   EXPECT_EQ(with.report.measurements_not_usable, 0U);
   EXPECT_EQ(with.report.picks, w.picks.size());

@@ -14,9 +14,6 @@ struct Progress {
 /// Called from the thread that started the job. May throw to stop the job; the exception reaches the caller.
 using ProgressCallback = std::function<void(const Progress&)>;
 
-/// A callback that draws one bar per stage on standard error if that is a terminal, and does nothing otherwise.
-ProgressCallback terminalProgress();
-
 /// Calls \a callback if there is one.
 void report(const ProgressCallback& callback, const std::string& stage, double fraction);
 

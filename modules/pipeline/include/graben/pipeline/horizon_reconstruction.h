@@ -37,7 +37,7 @@ struct ReconstructionOptions {
   OrientationMethod orientation = OrientationMethod::SpanningTree;
   double z_scale = 1.0;      ///< z is multiplied by this for all distance work (time in ms against metres)
   ZPositive z_positive = ZPositive::Unknown; ///< which way the picks' z grows; Unknown counts as up
-  std::size_t memory_limit = 0; ///< bytes the extraction may take; 0: no limit
+  std::size_t memory_limit = 0; ///< bytes that picks and surface may take, by estimate; 0: no limit
   unsigned threads = 0;      ///< 0: one per processor
   SkippedSteps skip;         ///< for comparisons
   bool keep_picks = true;    ///< false: ReconstructionResult says nothing of single picks, which saves memory
@@ -77,7 +77,7 @@ public:
   ///                   them turns towards the normal. Those that are not finite or far from all picks are left out with a warning; those on the
   ///                   wrong side of a fault are set aside as picks are
   /// \throw InvalidInputError if there are fewer than three distinct picks, all are on a line, a fault cannot be used or an option is out of range
-  /// \throw ResourceError     if the voxel size makes the job too large for the memory limit
+  /// \throw ResourceError     if the picks, or the surface at this voxel size, would not fit into the memory limit; says how many, or which size, would
   ReconstructionResult reconstruct(Points picks, const std::vector<FaultGeometry>& faults = {}, const std::vector<DipMeasurement>& dips = {}) const;
 
   const ReconstructionOptions& options() const { return options_; }

@@ -16,6 +16,7 @@ namespace graben {
 struct StageTiming {
   std::string stage;
   double seconds = 0.0;      ///< wall time
+  std::size_t resident_bytes = 0; ///< resident memory of the process at the end of the stage
   std::size_t peak_bytes = 0; ///< peak resident memory of the process up to the end of the stage
 };
 
