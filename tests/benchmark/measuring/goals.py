@@ -6,21 +6,21 @@ MILLION = 1000000
 
 
 class Goals:
-    def __init__(self, session):
-        self.session = session
+    def __init__(self, runs):
+        self.runs = runs
         self.rows = []
 
     def wall(self, tool, picks, case="horizon"):
-        return self.session.median(case, picks, tool, "wall")
+        return self.runs.median(case, picks, tool, "wall")
 
     def cpu(self, tool, picks, case="horizon"):
-        return self.session.median(case, picks, tool, "cpu")
+        return self.runs.median(case, picks, tool, "cpu")
 
     def against(self, what, goal, peer, case, picks, met, form):
         """A ratio of graben's time and a peer's: form(graben, peer). A peer that ran out of time has a least time."""
         graben, other, bounded = self.wall("graben", picks, case), self.wall(peer, picks, case), False
-        if other is None and self.session.failure(case, picks, peer) == "timeout":
-            other, bounded = self.session.find(case, picks, peer)[-1]["wall"], True
+        if other is None and self.runs.failure(case, picks, peer) == "timeout":
+            other, bounded = self.runs.find(case, picks, peer)[-1]["wall"], True
         if graben is None or other is None:
             return
         value, text, bound = form(graben, other)
@@ -52,18 +52,18 @@ class Goals:
         self.share_of(whose + ": graben / VTK", 0.4, "vtk_extract_surface", case)
         self.times_faster(whose + ": PCL's normals and MarchingCubesHoppe / graben", 15, "pcl_hoppe", case)
         self.share_of(whose + ": graben / `pcl::NormalEstimationOMP`, whole processes", 0.7, "pcl_normals", case)
-        normals = self.session.median(case, MILLION, "pcl_normals", lambda run: run["stages"].get("normals"))
+        normals = self.runs.median(case, MILLION, "pcl_normals", lambda run: run["stages"].get("normals"))
         self.at_most(whose + ": graben / `pcl::NormalEstimationOMP` without reading and writing", 0.7, self.wall("graben", MILLION, case), normals)
 
     def memory(self):
-        for picks in self.session.sizes("horizon"):
-            peak = self.session.median("horizon", picks, "graben", "peak")
-            failure = self.session.failure("horizon", picks, "graben")
+        for picks in self.runs.sizes("horizon"):
+            peak = self.runs.median("horizon", picks, "graben", "peak")
+            failure = self.runs.failure("horizon", picks, "graben")
             if failure:
                 self.rows.append(("%s picks: runs to the end" % clouds.label(picks), "yes", failure, "-", "**not met**"))
             if picks < MILLION or peak is None:
                 continue
-            each = self.session.median("horizon", picks, "graben", lambda run, n=picks: (run["peak"] - run["output"]) / n)
+            each = self.runs.median("horizon", picks, "graben", lambda run, n=picks: (run["peak"] - run["output"]) / n)
             self.add("%s picks: bytes a pick beyond the output mesh" % clouds.label(picks), "at most 200", each, lambda v: v <= 200, "%.0f")
             if picks == 10 * MILLION:
                 self.add("10 M picks: peak memory, GiB", "under 3", peak / 2**30, lambda v: v < 3)
@@ -71,24 +71,24 @@ class Goals:
                 self.add("50 M picks: runs to the end; peak memory, GiB", "within 24", peak / 2**30, lambda v: v < 24)
 
     def threads(self):
-        for picks in self.session.sizes("horizon"):
+        for picks in self.runs.sizes("horizon"):
             if picks >= MILLION:
-                one, two = (self.session.median("horizon", picks, tool, tools.in_memory) for tool in ("graben_one_thread", "graben_stages"))
+                one, two = (self.runs.median("horizon", picks, tool, tools.in_memory) for tool in ("graben_one_thread", "graben_stages"))
                 self.at_least("%s picks: one thread / two, picks in memory to mesh in memory" % clouds.label(picks), 1.7, one, two)
 
     def fault_time(self, picks):
         """Seconds that faults add in memory, and all seconds."""
-        with_faults, without = (self.session.median("horizon", picks, tool, tools.in_memory) for tool in ("graben_stages", "graben_no_faults"))
+        with_faults, without = (self.runs.median("horizon", picks, tool, tools.in_memory) for tool in ("graben_stages", "graben_no_faults"))
         return (with_faults - without, with_faults) if with_faults is not None and without is not None else (None, None)
 
     def faults(self):
-        for picks in self.session.sizes("horizon"):
+        for picks in self.runs.sizes("horizon"):
             if picks >= MILLION:
                 extra, whole = self.fault_time(picks)
                 self.ratio("%s picks: share of the time that two faults add" % clouds.label(picks), "at most 20 %",
                            None if extra is None else 100 * extra, whole, lambda v: v <= 20, "%.0f %%")
         small, large = self.fault_time(MILLION)[0], self.fault_time(4 * MILLION)[0]
-        near = [self.session.median("horizon", n, "graben_stages", lambda run: run.get("zone")) for n in (MILLION, 4 * MILLION)]
+        near = [self.runs.median("horizon", n, "graben_stages", lambda run: run.get("zone")) for n in (MILLION, 4 * MILLION)]
         if small and large and all(near):
             growth = near[1] / near[0]
             self.ratio("4 M picks / 1 M: time that the faults add", "nearer to %.1f, as picks near faults, than to 4" % growth, large, small,
@@ -96,8 +96,8 @@ class Goals:
 
     def reading(self):
         for tool, what, limit in (("read_text", "text", 150), ("read_binary", "binary PCD", 1000)):
-            for picks in self.session.sizes("files"):
-                speed = self.session.median("files", picks, tool, lambda run: run["input"] / run["stages"]["read"] / 1e6)
+            for picks in self.runs.sizes("files"):
+                speed = self.runs.median("files", picks, tool, lambda run: run["input"] / run["stages"]["read"] / 1e6)
                 self.add("reading %s picks, %s, MB/s" % (clouds.label(picks), what), "at least %d" % limit, speed,
                          lambda v, least=limit: v >= least, "%.0f")
 

@@ -1,4 +1,4 @@
-"""Markdown of a session."""
+"""Markdown of a log of runs."""
 
 import os
 import platform
@@ -20,31 +20,31 @@ def short(ratio):
     return "%.0f" % ratio if ratio >= 10 else "%.2g" % ratio
 
 
-def cell(session, case, picks, tool):
-    wall, cpu, peak = (session.median(case, picks, tool, key) for key in ("wall", "cpu", "peak"))
+def cell(log, case, picks, tool):
+    wall, cpu, peak = (log.median(case, picks, tool, key) for key in ("wall", "cpu", "peak"))
     if wall is None:
-        runs = session.find(case, picks, tool)
-        if session.failure(case, picks, tool) == "timeout":
+        runs = log.find(case, picks, tool)
+        if log.failure(case, picks, tool) == "timeout":
             return "over %.0f s" % runs[-1]["wall"]
-        return session.failure(case, picks, tool) or "-"
+        return log.failure(case, picks, tool) or "-"
     text = "%s s, %s s, %.0f MB" % (seconds(wall), seconds(cpu), peak / 1e6)
-    graben = session.median(case, picks, "graben", "wall")
+    graben = log.median(case, picks, "graben", "wall")
     return text + (" (%s×)" % short(wall / graben) if graben and tool != "graben" else "")
 
 
-def speed(session):
-    columns = [(case, picks) for case in ("horizon", "object") for picks in session.sizes(case)]
+def speed(log):
+    columns = [(case, picks) for case in ("horizon", "object") for picks in log.sizes(case)]
     heads = [clouds.label(picks) + (", closed object" if case == "object" else "") for case, picks in columns]
     lines = [row(["wall s, CPU s, peak memory (wall / graben's)"] + heads), "|---" * (len(heads) + 1) + "|"]
     names = {"graben": "**graben**", **{name: text for name, (text, _) in tools.PEERS.items()}}
     for tool, name in names.items():
-        if any(session.find(case, picks, tool) for case, picks in columns):
-            lines.append(row([name] + [cell(session, case, picks, tool) for case, picks in columns]))
+        if any(log.find(case, picks, tool) for case, picks in columns):
+            lines.append(row([name] + [cell(log, case, picks, tool) for case, picks in columns]))
     return lines
 
 
-def goal_table(session):
-    rows = goals.Goals(session).all()
+def goal_table(log):
+    rows = goals.Goals(log).all()
     return [row(["goal", "to reach", "measured", "by CPU time", ""]), "|---|---|---|---|---|"] + [row(r) for r in rows] if rows else []
 
 
@@ -59,13 +59,13 @@ def version(package):
     return re.match(r"[\d.]*", found.stdout).group(0).rstrip(".")
 
 
-def caption(session):
+def caption(log):
     versions = [(name, version(package)) for name, package in
                 (("PCL", "libpcl-dev"), ("VTK", "libvtk9-dev"), ("CGAL", "libcgal-dev"), ("Open3D", "libopen3d-dev"))]
     text = "%s, %d processors, %.0f GiB; %s. Medians of up to %d interleaved runs of whole processes." % (
-        cpu_name(), os.cpu_count(), processes.machine_memory() / 2**30, ", ".join("%s %s" % v for v in versions if v[1]), session.repeats())
-    if session.others() > 0.1:
-        text += " Other processes kept %.1f processors busy meanwhile: times are too long, ratios rough." % session.others()
+        cpu_name(), os.cpu_count(), processes.machine_memory() / 2**30, ", ".join("%s %s" % v for v in versions if v[1]), log.repeats())
+    if log.others() > 0.1:
+        text += " Other processes kept %.1f processors busy meanwhile: times are too long, ratios rough." % log.others()
     return text
 
 

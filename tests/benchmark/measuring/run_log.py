@@ -13,7 +13,7 @@ def fingerprint(path):
         return hashlib.sha256(file.read()).hexdigest()[:16]
 
 
-class Session:
+class RunLog:
     """Runs by case, picks and tool. What another build of graben took is left out; the runs of other programs stay."""
 
     def __init__(self, path, build, resume):
