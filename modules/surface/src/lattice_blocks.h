@@ -42,29 +42,30 @@ inline BlockMask pull(BlockMask own, BlockMask next, std::size_t axis) {
   return ((own & ~kFirst[axis]) >> kShift[axis]) | ((next & kFirst[axis]) << (3 * kShift[axis]));
 }
 
-/// For each cell whether its corner at an offset of 0 or 1 along each axis is a member, from the vertices of the forward blocks.
-inline BlockMask corner(const std::array<BlockMask, kForward>& m, const LatticeIndex& at) {
-  std::array<BlockMask, 4> i{};
-  for (std::size_t f = 0; f < 4; ++f)
-    i[f] = at.i != 0 ? pull(m[f], m[f + 4], 0) : m[f];
-  const BlockMask low = at.j != 0 ? pull(i[0], i[2], 1) : i[0];
-  const BlockMask high = at.j != 0 ? pull(i[1], i[3], 1) : i[1];
-  return at.k != 0 ? pull(low, high, 2) : low;
-}
-
 /// The inverse of pull(): what lies one step back along an axis.
 inline BlockMask push(BlockMask own, BlockMask before, std::size_t axis) {
   return ((own & ~kLast[axis]) << kShift[axis]) | ((before & kLast[axis]) >> (3 * kShift[axis]));
 }
 
-/// For each vertex whether the cell of which it is the given corner is a member, from the cells of the blocks behind (numbered as the forward ones).
-inline BlockMask cellWithCorner(const std::array<BlockMask, kForward>& m, const LatticeIndex& at) {
+/// Moves the members of neighbouring blocks by an offset of 0 or 1 along each axis, where \a step moves by one.
+template <typename Step>
+BlockMask moved(const std::array<BlockMask, kForward>& m, const LatticeIndex& at, const Step& step) {
   std::array<BlockMask, 4> i{};
   for (std::size_t f = 0; f < 4; ++f)
-    i[f] = at.i != 0 ? push(m[f], m[f + 4], 0) : m[f];
-  const BlockMask low = at.j != 0 ? push(i[0], i[2], 1) : i[0];
-  const BlockMask high = at.j != 0 ? push(i[1], i[3], 1) : i[1];
-  return at.k != 0 ? push(low, high, 2) : low;
+    i[f] = at.i != 0 ? step(m[f], m[f + 4], 0) : m[f];
+  const BlockMask low = at.j != 0 ? step(i[0], i[2], 1) : i[0];
+  const BlockMask high = at.j != 0 ? step(i[1], i[3], 1) : i[1];
+  return at.k != 0 ? step(low, high, 2) : low;
+}
+
+/// For each cell whether its corner at an offset of 0 or 1 along each axis is a member, from the vertices of the forward blocks.
+inline BlockMask corner(const std::array<BlockMask, kForward>& m, const LatticeIndex& at) {
+  return moved(m, at, [](BlockMask own, BlockMask next, std::size_t axis) { return pull(own, next, axis); });
+}
+
+/// For each vertex whether the cell of which it is the given corner is a member, from the cells of the blocks behind (numbered as the forward ones).
+inline BlockMask cellWithCorner(const std::array<BlockMask, kForward>& m, const LatticeIndex& at) {
+  return moved(m, at, [](BlockMask own, BlockMask before, std::size_t axis) { return push(own, before, axis); });
 }
 
 /// All corners of cells, as vertices of the forward blocks.
