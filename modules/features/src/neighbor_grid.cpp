@@ -322,14 +322,17 @@ void NeighborGrid::runsAround(const Vector3& query, double radius, std::vector<P
     return;
   }
   runs.clear();
-  std::vector<std::size_t> found;
-  data_->tree.visitWithin(ordered, query, radius * radius, [&](std::size_t i, double) { found.push_back(i); });
-  std::sort(found.begin(), found.end());
-  for (std::size_t i = 0, end = 0; i < found.size(); i = end) {
-    for (end = i + 1; end < found.size() && found[end] == found[end - 1] + 1;)
-      ++end;
-    add(found[i], found[i] + end - i);
-  }
+  std::size_t first = 0, end = 0;
+  data_->tree.visitLeaves(ordered.count, query, radius * radius, [&](std::size_t leaf_first, std::size_t leaf_end) {
+    if (leaf_first != end) {
+      if (end > first)
+        add(first, end);
+      first = leaf_first;
+    }
+    end = leaf_end;
+  });
+  if (end > first)
+    add(first, end);
 }
 
 void NeighborGrid::collectWithin(const Vector3& query, double radius, PointsAround& out) const {

@@ -59,6 +59,10 @@ public:
         });
   }
 
+  /// Calls visit(first, end) for the leaves, in their order, that together hold all points with squared distance of at most \a limit.
+  template <typename Visit>
+  void visitLeaves(std::size_t points, const Vector3& query, double limit, const Visit& visit) const;
+
 private:
   static constexpr std::size_t FAN = 8;
   static constexpr std::size_t MAX_STACK = FAN * 12; // 12 levels of 8 hold more points than an Index counts
@@ -97,6 +101,30 @@ private:
 
   std::vector<std::vector<Node>> levels_; ///< leaves first, root last
 };
+
+template <typename Visit>
+void PointTree::visitLeaves(std::size_t points, const Vector3& query, double limit, const Visit& visit) const {
+  if (levels_.empty())
+    return;
+  struct Place {
+    std::size_t level, node;
+  };
+  std::array<Place, MAX_STACK> stack;
+  stack[0] = {levels_.size() - 1, 0};
+  std::size_t top = 1;
+  while (top > 0) {
+    const Place place = stack[--top];
+    const std::size_t begin = place.node * FAN;
+    if (place.level == 0) {
+      visit(begin, std::min(points, begin + FAN));
+      continue;
+    }
+    const std::vector<Node>& children = levels_[place.level - 1];
+    for (std::size_t c = std::min(children.size(), begin + FAN); c-- > begin;)
+      if (children[c].squaredDistance(query) <= limit)
+        stack[top++] = {place.level - 1, c};
+  }
+}
 
 /// Nearest nodes first; prune(squared distance, least index) is asked before a node is opened,
 /// visit(i) gets each point of an opened leaf.
