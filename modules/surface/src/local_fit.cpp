@@ -3,6 +3,7 @@
 #include "box_around.h"
 #include "local_faults.h"
 #include "normal_equations.h"
+#include "support_kernels.h"
 
 #include "graben/features/mean_distance.h"
 
@@ -25,15 +26,15 @@ constexpr double kSuspect = 5.5;     // largest residual over the mean one that 
 constexpr double kBlunder = 7.0;     // residual over the median one, 4.7 standard deviations of Gaussian noise
 constexpr int kBlunderRounds = 3;
 
-/// Weight of a pick at a squared distance given as a share of the support's squared radius.
-double weightOf(double share) {
-  const double w = std::max(0.0, 1.0 - share);
-  return w * w;
+detail::PickArrays arrays(LocalFit::Scratch& s) { return {s.u.data(), s.v.data(), s.height.data(), s.squared.data(), s.index.data()}; }
+
+void makeRoom(std::size_t count, std::initializer_list<std::vector<double>*> arrays) {
+  for (std::vector<double>* values : arrays)
+    if (values->size() < count)
+      values->resize(count + count / 2);
 }
 
-double valueOf(const std::array<double, 10>& c, double u, double v) {
-  return c[0] + u * (c[1] + u * (c[3] + u * c[6])) + v * (c[2] + v * (c[5] + v * c[9])) + u * v * (c[4] + u * c[7] + v * c[8]);
-}
+std::array<double, 3> plain(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 } // namespace
 
@@ -59,7 +60,9 @@ LocalEstimate LocalSurface::from(const Vector3& place, const Vector3& direction)
     const double rate = along - slope_u * along_u - slope_v * along_v;
     if (std::abs(rate) < 0.1)
       return e;
-    e.offset += (valueOf(c, x, y) - height - e.offset * along) / rate;
+    double fitted = 0.0;
+    detail::heightOf(c.data(), x, y, fitted);
+    e.offset += (fitted - height - e.offset * along) / rate;
     e.normal = normal - slope_u / radius * u - slope_v / radius * v;
   }
   e.normal *= (e.normal.dot(direction) < 0.0 ? -1.0 : 1.0) / e.normal.norm();
@@ -77,31 +80,23 @@ LocalFit::LocalFit(const NeighborGrid& grid, const TangentPlanes& planes, const 
 }
 
 void LocalFit::collect(const LocalSurface& frame, const Vector3& viewpoint, double radius, Scratch& s) const {
-  grid_.collectWithin(frame.centre, radius, s.around);
-  const std::size_t found = s.around.count;
-  if (s.u.size() < found)
-    for (std::vector<double>* values : {&s.u, &s.v, &s.height, &s.squared})
-      values->resize(found + found / 2);
-  if (s.index.size() < found)
-    s.index.resize(found + found / 2);
+  grid_.runsAround(frame.centre, radius, s.runs);
+  std::size_t most = detail::kLanes;
+  for (const PointRun& run : s.runs)
+    most += run.count;
+  makeRoom(most, {&s.u, &s.v, &s.height, &s.squared});
+  if (s.index.size() < most)
+    s.index.resize(most + most / 2);
+  const detail::DiscQuery query{plain(frame.centre), plain(frame.u), plain(frame.v), plain(frame.normal), radius * radius, kNormalLimit};
+  s.count = 0;
+  for (const PointRun& run : s.runs)
+    s.count = detail::collectRun(query, {run.points->data(), run.count, run.indices, run.first}, planes_.normals.front().data(), arrays(s), s.count);
   Bounds box = boxAround(frame.centre, 1.001 * radius);
   box.extend(viewpoint);
   const LocalFaults sides(faults_, *borders_, box);
-  s.count = 0;
-  for (std::size_t i = 0; i < found; ++i) {
-    const Index pick = s.around.index[i];
-    if (!(planes_.normals[static_cast<std::size_t>(pick)].dot(frame.normal) > kNormalLimit))
-      continue;
-    if (!sides.empty() && !sides.sameSide(grid_.points()[static_cast<std::size_t>(pick)], viewpoint))
-      continue;
-    const Vector3 d(s.around.dx[i], s.around.dy[i], s.around.dz[i]);
-    const double u = d.dot(frame.u), v = d.dot(frame.v);
-    s.u[s.count] = u;
-    s.v[s.count] = v;
-    s.height[s.count] = d.dot(frame.normal);
-    s.squared[s.count] = u * u + v * v;
-    s.index[s.count++] = pick;
-  }
+  if (sides.empty())
+    return;
+  detail::keepIf(arrays(s), s.count, [&](std::size_t i) { return sides.sameSide(grid_.points()[static_cast<std::size_t>(s.index[i])], viewpoint); });
 }
 
 double LocalFit::gather(LocalSurface& frame, const Vector3& viewpoint, std::size_t wanted, Scratch& s) const {
@@ -135,39 +130,17 @@ double LocalFit::gather(LocalSurface& frame, const Vector3& viewpoint, std::size
 
 /// The picks gathered, in units of the support, and their weights.
 struct LocalFit::Support {
-  Support(const LocalSurface& surface, Scratch& scratch) : s(scratch), even(scratch.count + scratch.count % 2), inverse(1.0 / surface.radius) {
-    for (std::vector<double>* values : {&s.scaled_u, &s.scaled_v, &s.weight, &s.height, &s.residual})
-      if (values->size() < even)
-        values->resize(even + even / 2);
-    for (std::size_t i = 0; i < s.count; ++i) {
-      s.scaled_u[i] = s.u[i] * inverse;
-      s.scaled_v[i] = s.v[i] * inverse;
-      s.weight[i] = weightOf(s.squared[i] * inverse * inverse);
-    }
-    if (even > s.count)
-      s.scaled_u[s.count] = s.scaled_v[s.count] = s.weight[s.count] = s.height[s.count] = 0.0;
-    countUsed();
-  }
-
-  void countUsed() {
-    used = 0;
-    total = 0.0;
-    for (std::size_t i = 0; i < s.count; ++i) {
-      total += s.weight[i];
-      used += s.weight[i] > 0.0 ? 1 : 0;
-    }
+  Support(const LocalSurface& surface, Scratch& scratch) : s(scratch), even(detail::roundUpToLanes(scratch.count)) {
+    makeRoom(even, {&s.u, &s.v, &s.height, &s.squared, &s.scaled_u, &s.scaled_v, &s.weight, &s.residual});
+    detail::scaleAndWeigh(arrays(s), s.count, 1.0 / surface.radius, {s.scaled_u.data(), s.scaled_v.data(), s.weight.data()});
+    sum = detail::sumWeights(s.weight.data(), even);
   }
 
   /// Takes the weight from picks that lie off the polynomial as none of the others does. \return whether there were any
   bool dropBlunders(const std::array<double, 10>& coefficients) {
-    double largest = 0.0, sum = 0.0;
-    for (std::size_t i = 0; i < s.count; ++i) {
-      s.residual[i] = std::abs(s.height[i] - valueOf(coefficients, s.scaled_u[i], s.scaled_v[i]));
-      const double counted = s.weight[i] > 0.0 ? s.residual[i] : 0.0;
-      sum += counted;
-      largest = std::max(largest, counted);
-    }
-    if (largest < kSuspect * sum / static_cast<double>(used))
+    const detail::Misfit misfit =
+      detail::misfit({s.scaled_u.data(), s.scaled_v.data(), s.weight.data()}, s.height.data(), even, coefficients.data(), s.residual.data());
+    if (misfit.largest < kSuspect * misfit.sum / static_cast<double>(sum.used))
       return false;
     s.spare.clear();
     for (std::size_t i = 0; i < s.count; ++i)
@@ -176,20 +149,18 @@ struct LocalFit::Support {
     const auto middle = s.spare.begin() + static_cast<std::ptrdiff_t>(s.spare.size() / 2);
     std::nth_element(s.spare.begin(), middle, s.spare.end());
     const double limit = kBlunder * *middle;
-    if (!(largest > limit))
+    if (!(misfit.largest > limit))
       return false;
     for (std::size_t i = 0; i < s.count; ++i)
       if (s.residual[i] > limit)
         s.weight[i] = 0.0;
-    countUsed();
+    sum = detail::sumWeights(s.weight.data(), even);
     return true;
   }
 
   Scratch& s;
-  std::size_t even;
-  double inverse;
-  std::size_t used = 0;
-  double total = 0.0;
+  std::size_t even; ///< picks and what fills the arrays up
+  detail::WeightSum sum;
 };
 
 void LocalFit::addSlopes(const LocalSurface& surface, double weight, const Scratch& s, Index own, detail::NormalEquations& equations) const {
@@ -210,7 +181,7 @@ double LocalFit::solve(LocalSurface& surface, const LocalModel& model, Scratch& 
     return 0.0;
   Support support(surface, s);
   const bool slopes = model.slope_weight > 0.0 && !measured_.empty();
-  std::size_t equation_count = support.used;
+  std::size_t equation_count = support.sum.used;
   for (std::size_t i = 0; slopes && i < s.count; ++i)
     equation_count += s.weight[i] > 0.0 && measured_[static_cast<std::size_t>(s.index[i])] ? 2 : 0;
   int degree = model.degree;
@@ -224,11 +195,11 @@ double LocalFit::solve(LocalSurface& surface, const LocalModel& model, Scratch& 
     if (slopes)
       addSlopes(surface, model.slope_weight, s, own, equations);
     for (int d = 1; d <= degree; ++d)
-      equations.addStiffness(d, kRidge * support.total);
+      equations.addStiffness(d, kRidge * support.sum.total);
     surface.valid = equations.solve(surface.coefficients);
     if (!surface.valid)
       return 0.0;
-    const bool enough = static_cast<int>(support.used) > 2 * detail::termsOf(degree) + kSpareEquations;
+    const bool enough = static_cast<int>(support.sum.used) > 2 * detail::termsOf(degree) + kSpareEquations;
     if (round < kBlunderRounds && enough && support.dropBlunders(surface.coefficients))
       continue;
     for (std::size_t i = 0; own >= 0 && i < s.count; ++i)

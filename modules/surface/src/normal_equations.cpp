@@ -1,5 +1,9 @@
 #include "normal_equations.h"
 
+#include "support_kernels.h"
+
+#include "graben/core/clones.h"
+
 #include <cmath>
 #include <cstring>
 
@@ -7,19 +11,55 @@ namespace graben::detail {
 
 namespace {
 
-/// Two doubles side by side; compilers make one instruction of each operation.
-using Pair = double __attribute__((vector_size(16)));
-
-Pair load(const double* p) {
-  Pair pair;
-  std::memcpy(&pair, p, sizeof pair);
-  return pair;
-}
+/// Doubles side by side; compilers make one or two instructions of each operation.
+using Lanes = double __attribute__((vector_size(8 * kLanes)));
 
 constexpr std::size_t slot(int a, int b) { return static_cast<std::size_t>((a + b) * (a + b + 1) / 2 + b); }
 
 constexpr std::array<std::array<int, 2>, kMaxTerms> kExponents = {
     {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {3, 0}, {2, 1}, {1, 2}, {0, 3}}};
+
+constexpr std::size_t kMaxMoments = static_cast<std::size_t>(termsOf(2 * kMaxDegree));
+
+struct WeightedHeights {
+  const double *u, *v, *height, *weight;
+  std::size_t count;
+};
+
+template <int Degree>
+[[gnu::always_inline]] inline void sum(const WeightedHeights& in, double* moment_sums, double* height_sums) {
+  constexpr int top = 2 * Degree;
+  Lanes moments[termsOf(top)] = {};
+  Lanes heights[termsOf(Degree)] = {};
+  for (std::size_t i = 0; i < in.count; i += kLanes) {
+    Lanes u, v, height, row;
+    std::memcpy(&u, in.u + i, sizeof u);
+    std::memcpy(&v, in.v + i, sizeof v);
+    std::memcpy(&height, in.height + i, sizeof height);
+    std::memcpy(&row, in.weight + i, sizeof row);
+    height = row > 0.0 ? height : Lanes{};
+#pragma GCC unroll 8
+    for (int b = 0; b <= top; ++b) {
+      Lanes product = row;
+#pragma GCC unroll 8
+      for (int a = 0; a + b <= top; ++a) {
+        moments[slot(a, b)] += product;
+        if (a + b <= Degree)
+          heights[slot(a, b)] += product * height;
+        product *= u;
+      }
+      row *= v;
+    }
+  }
+  for (const Lanes& m : moments)
+    *moment_sums++ = (m[0] + m[1]) + (m[2] + m[3]);
+  for (const Lanes& h : heights)
+    *height_sums++ = (h[0] + h[1]) + (h[2] + h[3]);
+}
+
+GRABEN_AVX2_CLONE void sumPlane(const WeightedHeights& in, double* moments, double* heights) { sum<1>(in, moments, heights); }
+GRABEN_AVX2_CLONE void sumQuadric(const WeightedHeights& in, double* moments, double* heights) { sum<2>(in, moments, heights); }
+GRABEN_AVX2_CLONE void sumCubic(const WeightedHeights& in, double* moments, double* heights) { sum<3>(in, moments, heights); }
 
 } // namespace
 
@@ -27,45 +67,23 @@ std::array<double, kMaxTerms> monomials(double u, double v) {
   return {1.0, u, v, u * u, u * v, v * v, u * u * u, u * u * v, u * v * v, v * v * v};
 }
 
-template <int Degree>
-void NormalEquations::add(const double* u, const double* v, const double* height, const double* weight, std::size_t count) {
-  constexpr int top = 2 * Degree;
-  std::array<Pair, termsOf(top)> moments{};
-  std::array<Pair, termsOf(Degree)> heights{};
-  for (std::size_t i = 0; i < count; i += 2) {
-    const Pair pu = load(u + i), pv = load(v + i), ph = load(height + i);
-    Pair row = load(weight + i);
-#pragma GCC unroll 8
-    for (int b = 0; b <= top; ++b) {
-      Pair product = row;
-#pragma GCC unroll 8
-      for (int a = 0; a + b <= top; ++a) {
-        moments[slot(a, b)] += product;
-        if (a + b <= Degree)
-          heights[slot(a, b)] += product * ph;
-        product *= pu;
-      }
-      row *= pv;
-    }
-  }
+void NormalEquations::addHeights(const double* u, const double* v, const double* height, const double* weight, std::size_t count) {
+  std::array<double, kMaxMoments> moments{};
+  std::array<double, kMaxTerms> heights{};
+  const auto sum = degree_ == 1 ? sumPlane : degree_ == 2 ? sumQuadric : sumCubic;
+  sum({u, v, height, weight, count}, moments.data(), heights.data());
+  addMoments(moments.data(), heights.data());
+}
+
+void NormalEquations::addMoments(const double* moments, const double* heights) {
   for (int i = 0; i < terms_; ++i) {
     const auto& [ai, bi] = kExponents[static_cast<std::size_t>(i)];
     for (int j = 0; j <= i; ++j) {
       const auto& [aj, bj] = kExponents[static_cast<std::size_t>(j)];
-      const Pair& sum = moments[slot(ai + aj, bi + bj)];
-      at(i, j) += sum[0] + sum[1];
+      at(i, j) += moments[slot(ai + aj, bi + bj)];
     }
-    right_[static_cast<std::size_t>(i)] += heights[static_cast<std::size_t>(i)][0] + heights[static_cast<std::size_t>(i)][1];
+    right_[static_cast<std::size_t>(i)] += heights[static_cast<std::size_t>(i)];
   }
-}
-
-void NormalEquations::addHeights(const double* u, const double* v, const double* height, const double* weight, std::size_t count) {
-  if (degree_ == 1)
-    add<1>(u, v, height, weight, count);
-  else if (degree_ == 2)
-    add<2>(u, v, height, weight, count);
-  else
-    add<3>(u, v, height, weight, count);
 }
 
 void NormalEquations::addEquation(const Row& row, double right, double weight) {

@@ -22,8 +22,12 @@ public:
   /// \param[in] degree 1 to kMaxDegree
   explicit NormalEquations(int degree) : degree_(degree), terms_(termsOf(degree)) {}
 
-  /// Adds equations polynomial(u, v) = height. All arrays must hold an even number of values; a weight of 0 leaves one out.
+  /// Adds equations polynomial(u, v) = height. The arrays must have room for a multiple of kLanes, places and weights of 0 behind the last.
   void addHeights(const double* u, const double* v, const double* height, const double* weight, std::size_t count);
+
+  /// Adds equations by their sums. \param[in] moments weighted sums of all monomials up to twice the degree, in their order
+  /// \param[in] heights weighted sums of the height times each monomial up to the degree
+  void addMoments(const double* moments, const double* heights);
 
   /// Adds the equations d/du polynomial(u, v) = slope_u and d/dv polynomial(u, v) = slope_v.
   void addSlopes(double u, double v, double slope_u, double slope_v, double weight);
@@ -40,8 +44,6 @@ public:
 private:
   using Row = std::array<double, kMaxTerms>;
 
-  template <int Degree>
-  void add(const double* u, const double* v, const double* height, const double* weight, std::size_t count);
   void addEquation(const Row& row, double right, double weight);
   double& at(int i, int j) { return matrix_[static_cast<std::size_t>(i * kMaxTerms + j)]; }
   double at(int i, int j) const { return matrix_[static_cast<std::size_t>(i * kMaxTerms + j)]; }

@@ -59,7 +59,7 @@ public:
 
   /// Working memory, kept by the caller from call to call; after gather() the picks found, one array per quantity.
   struct Scratch {
-    PointsAround around;
+    std::vector<PointRun> runs;
     std::size_t count = 0;
     std::vector<double> u, v, height, squared; ///< in the frame of the plane given; distance squared within that plane
     std::vector<Index> index;
