@@ -1,6 +1,7 @@
 #pragma once
 
 #include "local_faults.h"
+#include "nearest_batch.h"
 
 #include "graben/features/tangent_planes.h"
 
@@ -31,21 +32,34 @@ public:
   /// that radius about v must lie in the one gathered.
   void nearest(const Vector3& v, const Vector3& viewpoint, std::size_t wanted, double reach, std::vector<Neighbor>& out);
 
+  /// Looks around several places of the ball at once, at most NearestBatch::kPlaces of them, each to be seen from itself.
+  void lookAround(const Vector3* places, std::size_t count);
+  /// What nearest() gives for one of those places. \return false if that must be asked for
+  bool nearestOf(std::size_t place, std::size_t wanted, double reach, std::vector<Neighbor>& out) const;
+
 private:
+  void collect(const FieldData& data);
+  void findSides(const FieldData& data, const Bounds& viewpoints);
   enum class State { Untried, Gathered, TooMany };
   double knownBound(int sides, std::size_t wanted, double reach) const;
   void take(std::size_t pick, std::size_t wanted);
 
   State state_ = State::Untried;
+  Vector3 centre_ = Vector3::Zero();
   double radius_ = 0.0;
+  double scale_ = 0.0; ///< what takes the radius to 1
   LocalFaults faults_;
   std::vector<double> x_, y_, z_;
+  std::vector<float> near_x_, near_y_, near_z_; ///< the same from the centre, scaled
   std::vector<PointRun> runs_;
   std::vector<Index> index_;
   std::vector<int> sides_;
   std::vector<double> squared_;         ///< distances of all picks in the question at hand
   std::vector<std::uint32_t> within_;   ///< those that may be among the nearest
   std::vector<std::uint32_t> chosen_;   ///< nearest first; of the last question until they are replaced
+  const Vector3* places_ = nullptr;     ///< those looked around together
+  bool looked_around_ = false;
+  NearestBatch batch_;
 };
 
 /// What lies around places in a ball.

@@ -151,23 +151,24 @@ Index SheetCells::realNode(const LatticeIndex& vertex) {
 void SheetCells::evaluate() {
   parallelBlocks(wanted_.blocks.size(), 8, options_.threads, [&](std::size_t begin, std::size_t end) {
     SignedDistance::Scratch scratch;
+    Points places;
+    std::vector<FieldValue> values;
     for (std::size_t i = begin; i < end; ++i) {
       LatticeBlock& of = blocks_[static_cast<std::size_t>(wanted_.blocks[i])];
       const BlockMask wanted = wanted_.of(wanted_.blocks[i]) & ~of.asked;
       if (wanted == 0)
         continue;
-      Bounds places;
+      places.clear();
       for (BlockMask rest = wanted; rest != 0; rest &= rest - 1)
-        places.extend(lattice_.position(of.vertex(block::lowest(rest))));
-      field_.focus(places, scratch);
-      for (BlockMask rest = wanted; rest != 0; rest &= rest - 1) {
+        places.push_back(lattice_.position(of.vertex(block::lowest(rest))));
+      field_.at(places, scratch, values);
+      auto found = values.begin();
+      for (BlockMask rest = wanted; rest != 0; rest &= rest - 1, ++found) {
         const int slot = block::lowest(rest);
-        const Vector3 place = lattice_.position(of.vertex(slot));
-        const FieldValue found = field_.at(place, place, scratch);
-        const double value = found.value - options_.iso_level;
+        const double value = found->value - options_.iso_level;
         of.value[static_cast<std::size_t>(slot)] = value;
-        of.plane[static_cast<std::size_t>(slot)] = found.plane;
-        of.defined |= found.defined() ? block::bit(slot) : 0;
+        of.plane[static_cast<std::size_t>(slot)] = found->plane;
+        of.defined |= found->defined() ? block::bit(slot) : 0;
         of.inside |= value < 0.0 ? block::bit(slot) : 0;
       }
       of.asked |= wanted;

@@ -88,17 +88,26 @@ void SignedDistance::focus(const Bounds& places, Scratch& scratch) const {
   around.far.clear();
 }
 
+/// How far from a place all picks are among those gathered, as far as they matter.
+double SignedDistance::sureReach(const Vector3& v, const FieldNeighborhood& around) const {
+  return std::min(around.near.radius() - (v - around.centre).norm(), query_radius_);
+}
+
+/// Whether picks found within a reach are all that a value takes.
+bool SignedDistance::enough(const std::vector<Neighbor>& visible, double reach) const {
+  return visible.size() == options_.blend + 1 || reach == query_radius_;
+}
+
 /// \return false if there may be nearer ones than those found
 bool SignedDistance::findVisibleNearby(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const {
   FieldNeighborhood& around = *scratch.around;
-  const double off_centre = (v - around.centre).norm();
-  if (off_centre > around.extent)
+  if ((v - around.centre).norm() > around.extent)
     return false;
   const std::size_t wanted = options_.blend + 1;
   if (around.near.gathered()) {
-    const double reach = std::min(around.near.radius() - off_centre, query_radius_);
+    const double reach = sureReach(v, around);
     around.near.nearest(v, viewpoint, wanted, reach, scratch.visible);
-    if (scratch.visible.size() == wanted || reach == query_radius_)
+    if (enough(scratch.visible, reach))
       return true;
   }
   if (around.near.faults().empty())
@@ -224,6 +233,31 @@ bool SignedDistance::supported(const Vector3& v, const Vector3& foot, const Vect
 
 FieldValue SignedDistance::at(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const {
   findVisible(v, viewpoint, scratch);
+  return valueOf(v, viewpoint, scratch);
+}
+
+void SignedDistance::at(const Points& places, Scratch& scratch, std::vector<FieldValue>& values) const {
+  Bounds box;
+  for (const Vector3& v : places)
+    box.extend(v);
+  focus(box, scratch);
+  values.resize(places.size());
+  NearbyPicks& near = scratch.around->near;
+  for (std::size_t first = 0; first < places.size(); first += NearestBatch::kPlaces) {
+    const std::size_t count = std::min(places.size() - first, NearestBatch::kPlaces);
+    near.lookAround(&places[first], count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector3& v = places[first + i];
+      const double reach = sureReach(v, *scratch.around);
+      if (!near.nearestOf(i, options_.blend + 1, reach, scratch.visible) || !enough(scratch.visible, reach))
+        findVisible(v, v, scratch);
+      values[first + i] = valueOf(v, v, scratch);
+    }
+  }
+}
+
+/// The field from the picks found to be visible.
+FieldValue SignedDistance::valueOf(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const {
   if (scratch.visible.empty())
     return {};
   Vector3 foot;

@@ -55,6 +55,10 @@ public:
 
   FieldValue at(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
 
+  /// The values at many places in a box of a few cells, each seen from itself, together at a fraction of the cost.
+  /// \param[out] values one for each place
+  void at(const Points& places, Scratch& scratch, std::vector<FieldValue>& values) const;
+
   /// How far a place on the surface lies from the nearest pick; 0 if that is within \a near, if picks lie all round it, or if it lies near a fault and
   /// no farther than \a near outside the outline of the picks of both sides.
   /// \param[in] viewpoint from where it is asked which picks count: the place itself, or a place on the sheet's own side
@@ -73,6 +77,9 @@ private:
   bool enclosed(const Vector3& place, const Vector3& normal, Scratch& scratch) const;
   bool insideOutline(const Vector3& place, const Vector3& normal, double near, Scratch& scratch) const;
   bool carriedToFault(const Vector3& foot, double near, Scratch& scratch) const;
+  FieldValue valueOf(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
+  double sureReach(const Vector3& v, const FieldNeighborhood& around) const;
+  bool enough(const std::vector<Neighbor>& visible, double reach) const;
   FieldData data() const;
   void focusFaults(const Bounds& places, Scratch& scratch) const;
   FieldValue blended(const Vector3& v, const std::vector<Neighbor>& visible, Vector3& foot) const;
