@@ -29,7 +29,8 @@ std::size_t collectRun(const DiscQuery& query, const PickRun& run, const double*
     out.height[count] = height;
     out.squared[count] = squared;
     out.index[count] = pick;
-    count += static_cast<std::size_t>(static_cast<unsigned>(squared + height * height <= query.squared_radius) & static_cast<unsigned>(cosine > query.least_cosine));
+    const std::size_t within = squared + height * height <= query.squared_radius ? 1 : 0, faces = cosine > query.least_cosine ? 1 : 0;
+    count += within & faces; // no branch: a pick not taken is written over by the next
   }
   return count;
 }
