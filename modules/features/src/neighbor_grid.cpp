@@ -15,7 +15,6 @@ using detail::NeighborGridData;
 
 const Points NO_POINTS;
 constexpr std::int64_t MAX_BLOCKS = 64; // visited by one query; beyond, the tree is faster
-constexpr std::int64_t MAX_BLOCKS_OF_RUNS = 1000; // the same where all points within are wanted, in any order
 
 /// Cells that a cube around a query overlaps.
 struct CellRange {
@@ -32,7 +31,7 @@ struct CellRange {
   std::int64_t blocks() const {
     std::int64_t count = 1;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      count *= std::min<std::int64_t>((high[axis] >> 2) - (low[axis] >> 2) + 1, MAX_BLOCKS_OF_RUNS + 1);
+      count *= std::min<std::int64_t>((high[axis] >> 2) - (low[axis] >> 2) + 1, MAX_BLOCKS + 1);
     return count;
   }
 };
@@ -315,12 +314,8 @@ void NeighborGrid::runsAround(const Vector3& query, double radius, std::vector<P
     runs.push_back({ordered.points + first, end - first, ordered.indices == nullptr ? nullptr : ordered.indices + first, static_cast<Index>(first)});
   };
   const CellRange range(data_->lattice, query, radius);
-  const std::int64_t blocks = range.blocks();
-  if (blocks <= MAX_BLOCKS_OF_RUNS && visitRange(*data_, range, std::numeric_limits<std::size_t>::max(), add)) {
-    if (blocks > MAX_BLOCKS)
-      std::sort(runs.begin(), runs.end(), [](const PointRun& a, const PointRun& b) { return a.points < b.points; });
+  if (range.blocks() <= MAX_BLOCKS && visitRange(*data_, range, std::numeric_limits<std::size_t>::max(), add))
     return;
-  }
   runs.clear();
   std::size_t first = 0, end = 0;
   data_->tree.visitLeaves(ordered.count, query, radius * radius, [&](std::size_t leaf_first, std::size_t leaf_end) {
