@@ -73,12 +73,7 @@ std::vector<Index> zonePicks(const Points& picks, const FaultNetwork& network, d
   if (!(width >= 0.0))
     throw InvalidInputError("selecting the picks near faults",
                             "the width of the zone must not be negative");
-  const std::vector<double> distances = distancesToFaults(picks, network, width, nullptr, threads);
-  std::vector<Index> result;
-  for (std::size_t i = 0; i < distances.size(); ++i)
-    if (std::isfinite(distances[i]))
-      result.push_back(static_cast<Index>(i));
-  return result;
+  return picksWithin(picks, network, width, threads);
 }
 
 } // namespace graben

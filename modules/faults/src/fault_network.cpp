@@ -91,6 +91,16 @@ std::vector<FaultCrossing> FaultNetwork::crossings(std::size_t fault, const Vect
   return result;
 }
 
+bool FaultNetwork::isBranch(std::size_t fault) const {
+  return std::any_of(branches_.begin(), branches_.end(), [fault](const FaultBranch& branch) { return branch.fault == static_cast<Index>(fault); });
+}
+
+bool FaultNetwork::separates(std::size_t fault, const Vector3& a, const Vector3& b) const {
+  if (!boundsOfSegment(a, b).overlaps(bvhs_[fault].bounds()))
+    return false;
+  return (isBranch(fault) ? crossings(fault, a, b).size() : bvhs_[fault].countHits(a, b)) % 2 == 1;
+}
+
 bool FaultNetwork::beyondMainFault(std::size_t fault, const Vector3& p) const {
   for (const FaultBranch& branch : branches_) {
     if (branch.fault != static_cast<Index>(fault))

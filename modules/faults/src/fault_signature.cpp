@@ -21,12 +21,9 @@ std::uint64_t faultSignature(const FaultNetwork& faults, const Vector3& a, const
   if (faults.empty() || !faults.bounds().overlaps(box))
     return 0;
   std::uint64_t signature = 0;
-  for (std::size_t f = 0; f < faults.size(); ++f) {
-    if (!faults.bvh(f).bounds().overlaps(box) || !faults.bvh(f).hits(a, b))
-      continue;
-    if (faults.crossings(f, a, b).size() % 2 == 1)
+  for (std::size_t f = 0; f < faults.size(); ++f)
+    if (faults.separates(f, a, b))
       signature ^= spread(f);
-  }
   return signature;
 }
 

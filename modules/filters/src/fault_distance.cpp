@@ -7,36 +7,116 @@
 
 namespace graben {
 
-std::vector<double> distancesToFaults(const Points& points, const FaultNetwork& faults,
-                                      double limit, const std::vector<Index>* order,
-                                      unsigned threads) {
-  if (!(limit >= 0.0))
-    throw InvalidInputError("finding picks near faults",
-                            "The width must be zero or positive, in the picks' units.");
-  constexpr std::size_t GRAIN = 128;
-  std::vector<double> distances(points.size(), std::numeric_limits<double>::infinity());
-  const auto pick = [&](std::size_t i) {
-    return order != nullptr ? static_cast<std::size_t>((*order)[i]) : i;
-  };
-  const std::size_t count = order != nullptr ? order->size() : points.size();
-  parallelBlocks(count, GRAIN, threads, [&](std::size_t begin, std::size_t end) {
-    Bounds box;
-    for (std::size_t i = begin; i < end; ++i)
-      if (points[pick(i)].allFinite())
-        box.extend(points[pick(i)]);
+namespace {
+
+/// Looks for points near faults in a block, and where a fault is near in its parts.
+class BlockSearch {
+public:
+  BlockSearch(const Points& points, const FaultNetwork& faults, double limit, const std::vector<Index>* order)
+      : points_(points)
+      , faults_(faults)
+      , limit_(limit)
+      , order_(order) {}
+
+  /// Calls near(pick) for the points of [begin, end) that may be near, and within(pick) for those that are within the limit for sure.
+  template <typename Near, typename Within>
+  void look(std::size_t begin, std::size_t end, const Near& near, const Within& within) const {
+    constexpr std::size_t kParts = 8, kFewest = 16;
+    const Bounds box = boxOf(begin, end);
     if (box.empty())
       return;
-    box.low.array() -= limit;
-    box.high.array() += limit;
-    if (!faults.mayTouch(box))
-      return;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vector3& p = points[pick(i)];
-      const FaultPoint near = p.allFinite() ? faults.nearest(p, limit) : FaultPoint{};
-      if (near.fault >= 0)
-        distances[pick(i)] = near.distance;
+    const double radius = 0.5 * box.diagonal();
+    if (std::isfinite(radius * radius)) {
+      const FaultPoint nearest = faults_.nearest(0.5 * box.low + 0.5 * box.high, kRoundedUp * (limit_ + radius));
+      if (nearest.fault < 0)
+        return;
+      if (kRoundedUp * (nearest.distance + radius) <= limit_)
+        return forEach(begin, end, within);
     }
+    if (end - begin <= kFewest)
+      return forEach(begin, end, near);
+    const std::size_t part = (end - begin + kParts - 1) / kParts;
+    for (std::size_t at = begin; at < end; at += part)
+      look(at, std::min(end, at + part), near, within);
+  }
+
+private:
+  static constexpr double kRoundedUp = 1.0 + 1e-9;
+
+  std::size_t pick(std::size_t i) const { return order_ != nullptr ? static_cast<std::size_t>((*order_)[i]) : i; }
+
+  Bounds boxOf(std::size_t begin, std::size_t end) const {
+    Bounds box;
+    for (std::size_t i = begin; i < end; ++i)
+      if (points_[pick(i)].allFinite())
+        box.extend(points_[pick(i)]);
+    return box;
+  }
+
+  template <typename Visit>
+  void forEach(std::size_t begin, std::size_t end, const Visit& visit) const {
+    for (std::size_t i = begin; i < end; ++i)
+      if (points_[pick(i)].allFinite())
+        visit(pick(i));
+  }
+
+  const Points& points_;
+  const FaultNetwork& faults_;
+  double limit_;
+  const std::vector<Index>* order_;
+};
+
+/// What the blocks add, joined in their order. \param[in] look adds what it finds in a range to a list
+template <typename Item, typename Look>
+std::vector<Item> joined(std::size_t count, unsigned threads, const Look& look) {
+  constexpr std::size_t kBlock = 2048;
+  std::vector<std::vector<Item>> found((count + kBlock - 1) / kBlock);
+  parallelBlocks(count, kBlock, threads, [&](std::size_t begin, std::size_t end) { look(begin, end, found[begin / kBlock]); });
+  std::vector<Item> all;
+  for (const std::vector<Item>& items : found)
+    all.insert(all.end(), items.begin(), items.end());
+  return all;
+}
+
+void checkLimit(double limit) {
+  if (!(limit >= 0.0))
+    throw InvalidInputError("finding picks near faults", "The width must be zero or positive, in the picks' units.");
+}
+
+} // namespace
+
+std::vector<PickNearFault> picksNearFaults(const Points& points, const FaultNetwork& faults, double limit, const std::vector<Index>* order,
+                                           unsigned threads) {
+  checkLimit(limit);
+  const BlockSearch search(points, faults, limit, order);
+  return joined<PickNearFault>(order != nullptr ? order->size() : points.size(), threads,
+                               [&](std::size_t begin, std::size_t end, std::vector<PickNearFault>& found) {
+                                 const auto measure = [&](std::size_t pick) {
+                                   const FaultPoint nearest = faults.nearest(points[pick], limit);
+                                   if (nearest.fault >= 0)
+                                     found.push_back({static_cast<Index>(pick), nearest.distance});
+                                 };
+                                 search.look(begin, end, measure, measure);
+                               });
+}
+
+std::vector<Index> picksWithin(const Points& points, const FaultNetwork& faults, double limit, unsigned threads) {
+  checkLimit(limit);
+  const BlockSearch search(points, faults, limit, nullptr);
+  return joined<Index>(points.size(), threads, [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
+    const auto take = [&](std::size_t pick) { found.push_back(static_cast<Index>(pick)); };
+    const auto measure = [&](std::size_t pick) {
+      if (faults.nearest(points[pick], limit).fault >= 0)
+        take(pick);
+    };
+    search.look(begin, end, measure, take);
   });
+}
+
+std::vector<double> distancesToFaults(const Points& points, const FaultNetwork& faults, double limit, unsigned threads) {
+  std::vector<double> distances(points.size(), std::numeric_limits<double>::infinity());
+  for (const PickNearFault& near : picksNearFaults(points, faults, limit, nullptr, threads))
+    distances[static_cast<std::size_t>(near.pick)] = near.distance;
   return distances;
 }
 

@@ -12,8 +12,9 @@ constexpr std::size_t WANTED = 16;                 ///< picks a plane is fitted 
 constexpr std::size_t MOST = 48;                   ///< where they are far away
 constexpr double SPREAD = 1.6;                     ///< farthest over nearest of those wanted, then
 constexpr std::size_t NEEDED = 6;                  ///< fewest of them
-constexpr std::size_t FEW = 64, CANDIDATES = 1024; ///< picks looked at, first and at most
+constexpr std::size_t CROWD = 8192, CANDIDATES = 1024; ///< of more picks than the first no more than the second are looked at
 constexpr double RADIUS = 12.0;                    ///< farthest pick, in mean distances
+constexpr double FIRST_RADIUS = 4.5;               ///< that most queries find enough within
 constexpr double SUSPECT_RADIUS = 4.0;             ///< the same among suspects
 constexpr std::size_t HIDDEN = 400;                ///< picks beyond faults to look at
 constexpr std::size_t SHEETS = 6;                  ///< most sheets told apart there
@@ -48,72 +49,80 @@ std::uint64_t PickSupport::faultsBefore(const Viewpoint& viewpoint, std::size_t 
   return (p - viewpoint.at).squaredNorm() < clear * clear ? 0 : faultSignature(field_.faults, viewpoint.at, p);
 }
 
-/// \param[in] weightOf weight of a candidate, 0 to leave it out
-template <typename Select>
-PlaneAt PickSupport::plane(const Viewpoint& viewpoint, double radius, const Select& weightOf) {
+/// Fills candidates_ with the picks within \a radius that have a weight, nearest first; in a crowd only with the nearest.
+template <typename Weigh>
+void PickSupport::collect(const Vector3& place, double radius, const Weigh& weightOf) {
+  candidates_.clear();
+  field_.grid.runsAround(place, radius, runs_);
+  std::size_t count = 0;
+  for (const PointRun& run : runs_)
+    count += run.count;
+  if (count > CROWD) {
+    field_.grid.nearest(place, CANDIDATES, candidates_, radius);
+    const auto has_none = [&](const Neighbor& c) { return weightOf(static_cast<std::size_t>(c.index)) == 0.0; };
+    candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), has_none), candidates_.end());
+    return;
+  }
+  for (const PointRun& run : runs_)
+    for (std::size_t i = 0; i < run.count; ++i) {
+      const double squared_distance = (run.points[i] - place).squaredNorm();
+      if (squared_distance <= radius * radius && weightOf(static_cast<std::size_t>(run.index(i))) > 0.0)
+        candidates_.push_back({run.index(i), squared_distance});
+    }
+  std::sort(candidates_.begin(), candidates_.end(), [](const Neighbor& a, const Neighbor& b) {
+    return a.squared_distance != b.squared_distance ? a.squared_distance < b.squared_distance : a.index < b.index;
+  });
+}
+
+/// Through picks that no fault hides. \param[in] weightOf weight of a pick, 0 to leave it out
+template <typename Weigh>
+PlaneAt PickSupport::plane(const Viewpoint& viewpoint, double radius, const Weigh& weightOf) {
   chosen_.clear();
-  // Most queries find enough among few; the long list is for places that faults hem in.
   std::size_t seen = 0;
-  for (std::size_t count = FEW; !enough(chosen_, viewpoint.at) && count <= CANDIDATES; count *= 4) {
-    field_.grid.nearest(viewpoint.at, count, candidates_, radius);
+  for (double reach = std::min(radius, FIRST_RADIUS * field_.mean_distance);; reach = std::min(radius, 2.0 * reach)) {
+    collect(viewpoint.at, reach, weightOf);
     for (; seen < candidates_.size() && !enough(chosen_, viewpoint.at); ++seen) {
       const auto i = static_cast<std::size_t>(candidates_[seen].index);
-      const double weight = weightOf(i);
-      if (weight > 0.0)
-        chosen_.push_back({field_.grid.points()[i], weight});
+      if (faultsBefore(viewpoint, i) == 0)
+        chosen_.push_back({field_.grid.points()[i], weightOf(i)});
     }
-    if (candidates_.size() < count)
+    if (reach >= radius || enough(chosen_, viewpoint.at))
       break;
   }
   return fit(chosen_, viewpoint.at, field_.scale);
 }
 
 PlaneAt PickSupport::ownPlane(const Viewpoint& viewpoint) {
-  return plane(viewpoint, RADIUS * field_.mean_distance, [&](std::size_t i) {
-    return field_.states[i] == PickState::Trusted &&
-                   sees(viewpoint, i)
-               ? 1.0
-               : 0.0;
-  });
+  return plane(viewpoint, RADIUS * field_.mean_distance, [&](std::size_t i) { return field_.states[i] == PickState::Trusted ? 1.0 : 0.0; });
 }
 
 PlaneAt PickSupport::suspectPlane(const Viewpoint& viewpoint) {
-  return plane(viewpoint, SUSPECT_RADIUS * field_.mean_distance, [&](std::size_t i) {
-    return field_.states[i] == PickState::Suspect &&
-                   sees(viewpoint, i)
-               ? 1.0
-               : 0.0;
-  });
+  return plane(viewpoint, SUSPECT_RADIUS * field_.mean_distance, [&](std::size_t i) { return field_.states[i] == PickState::Suspect ? 1.0 : 0.0; });
 }
 
 PlaneAt PickSupport::consensusPlane(const Viewpoint& viewpoint) {
   return plane(viewpoint, RADIUS * field_.mean_distance, [&](std::size_t i) {
-    const bool trusted = field_.states[i] == PickState::Trusted;
-    if ((!trusted && field_.states[i] != PickState::Pending) ||
-        !sees(viewpoint, i))
-      return 0.0;
+    if (field_.states[i] == PickState::Trusted)
+      return 1.0;
     const double far = std::min(1.0, 0.25 * field_.distances[i] / field_.mean_distance);
-    return trusted ? 1.0 : far * far;
+    return field_.states[i] == PickState::Pending ? far * far : 0.0;
   });
 }
 
 PlaneAt PickSupport::planeBeside(const Viewpoint& query, const Vector3& direction, double gap,
                                  double radius) {
-  return plane(query, radius, [&](std::size_t i) {
-    const Vector3& p = field_.grid.points()[i];
-    return (p - query.at).dot(direction) >= gap && sees(query, i) ? 1.0 : 0.0;
-  });
+  return plane(query, radius, [&](std::size_t i) { return (field_.grid.points()[i] - query.at).dot(direction) >= gap ? 1.0 : 0.0; });
 }
 
 std::vector<SheetBeyond> PickSupport::sheetsBeyond(const Viewpoint& viewpoint) {
   std::vector<SheetBeyond> sheets;
   std::vector<std::vector<WeightedPoint>> points;
   std::size_t hidden = 0;
-  field_.grid.nearest(viewpoint.at, CANDIDATES, candidates_, RADIUS * field_.mean_distance);
+  collect(viewpoint.at, RADIUS * field_.mean_distance, [&](std::size_t i) {
+    return field_.states[i] == PickState::Trusted || field_.states[i] == PickState::WrongSide ? 1.0 : 0.0;
+  });
   for (const Neighbor& c : candidates_) {
     const auto i = static_cast<std::size_t>(c.index);
-    if (field_.states[i] != PickState::Trusted && field_.states[i] != PickState::WrongSide)
-      continue;
     const Vector3& p = field_.grid.points()[i];
     const Home home = field_.home(i);
     const std::uint64_t signature = faultsBefore(viewpoint, i) ^ home.signature;

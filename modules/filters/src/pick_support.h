@@ -78,13 +78,15 @@ public:
   std::vector<SheetBeyond> sheetsBeyond(const Viewpoint& viewpoint);
 
 private:
-  template <typename Select>
-  PlaneAt plane(const Viewpoint& viewpoint, double radius, const Select& weightOf);
+  template <typename Weigh>
+  PlaneAt plane(const Viewpoint& viewpoint, double radius, const Weigh& weightOf);
+  template <typename Weigh>
+  void collect(const Vector3& place, double radius, const Weigh& weightOf);
 
   std::uint64_t faultsBefore(const Viewpoint& viewpoint, std::size_t pick) const;
-  bool sees(const Viewpoint& viewpoint, std::size_t pick) const { return faultsBefore(viewpoint, pick) == 0; }
 
   const PickField& field_;
+  std::vector<PointRun> runs_;
   std::vector<Neighbor> candidates_;
   std::vector<WeightedPoint> chosen_;
 };

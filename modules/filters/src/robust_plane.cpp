@@ -1,6 +1,7 @@
 #include "robust_plane.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -13,6 +14,8 @@ namespace {
 
 constexpr double LINE = 1e-6; ///< sine of the angle under which three points lie on a line
 constexpr int TRIPLES = 32, ABSOLUTE_PASSES = 6, BIWEIGHT_PASSES = 4;
+constexpr double CLEAN = 2.5;          ///< deviations that no point is off where there are no outliers
+constexpr double NARROW = 1e-3;        ///< square of the width over the length of points that are all but on a line
 constexpr double BIWEIGHT_WIDTH = 4.685, DEVIATION_FROM_MEDIAN = 1.4826;
 
 /// Numbers that look random and are the same everywhere (splitmix64, public domain, S. Vigna).
@@ -56,7 +59,7 @@ public:
         return false;
       if (pass < ABSOLUTE_PASSES)
         weighByAbsolute();
-      else
+      else if (pass < ABSOLUTE_PASSES + BIWEIGHT_PASSES)
         weighByBiweight();
     }
     return true;
@@ -177,10 +180,47 @@ private:
   std::vector<double> robust_, residuals_, distances_;
 };
 
+/// The least-squares plane, if no point is far from it; else not valid.
+PlaneAt planeOfCleanPoints(const Vector3& query, const std::vector<WeightedPoint>& points, double scale) {
+  PlaneAt plane;
+  if (points.size() < 3)
+    return plane;
+  const Vector3& first = points.front().position;
+  Vector3 centre = Vector3::Zero();
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  double sum = 0.0;
+  for (const WeightedPoint& p : points) {
+    const Vector3 d = p.position - first;
+    const Vector3 weighted = p.weight * d;
+    sum += p.weight;
+    centre += weighted;
+    scatter.noalias() += weighted * d.transpose();
+  }
+  centre /= sum;
+  scatter.noalias() -= sum * centre * centre.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+  axes.computeDirect(scatter);
+  const Vector3& spread = axes.eigenvalues();
+  plane.normal = axes.eigenvectors().col(0);
+  for (const WeightedPoint& p : points)
+    if (!(std::abs(plane.normal.dot(p.position - first - centre)) <= CLEAN * scale))
+      return plane;
+  const Vector3 d = query - first - centre;
+  const double along = axes.eigenvectors().col(2).dot(d), across = axes.eigenvectors().col(1).dot(d);
+  plane.offset = plane.normal.dot(d);
+  plane.leverage = 1.0 / sum + along * along / spread[2] + across * across / spread[1];
+  plane.reach = d.norm();
+  plane.valid = spread[1] > NARROW * spread[2] && std::isfinite(plane.offset) && std::isfinite(plane.leverage);
+  return plane;
+}
+
 } // namespace
 
 PlaneAt robustPlaneAt(const Vector3& query, const std::vector<WeightedPoint>& points,
                       double scale) {
+  const PlaneAt clean = planeOfCleanPoints(query, points, scale);
+  if (clean.valid)
+    return clean;
   PlaneFit fit(points, scale);
   return fit.fit() ? fit.at(query) : PlaneAt();
 }

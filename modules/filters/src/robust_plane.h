@@ -23,7 +23,7 @@ struct PlaneAt {
 
 /// Robust plane that outliers do not pull, up to about a third and as far off as the points spread:
 /// from the best of planes through triples of points, by least absolute deviations, then Tukey's
-/// biweight. Deterministic.
+/// biweight. Where no point is off by more than 2.5 \a scale there are no outliers, and least squares do. Deterministic.
 /// \param[in] scale least standard deviation to reckon with, positive
 /// \return not valid for fewer than 3 points, or points on a line
 PlaneAt robustPlaneAt(const Vector3& query, const std::vector<WeightedPoint>& points, double scale);

@@ -131,19 +131,15 @@ private:
 
   /// Picks of the band by distance, in the grid's order.
   void sortIntoBins() {
-    field_.distances =
-        distancesToFaults(grid_.points(), faults_, options_.band, &grid_.order(), options_.threads);
     constexpr double MOST_BINS = 1000.0;
     const double width = std::max(BIN * options_.mean_distance, options_.band / MOST_BINS);
-    for (const Index i : grid_.order()) {
-      const auto pick = static_cast<std::size_t>(i);
-      if (!std::isfinite(field_.distances[pick]))
-        continue;
-      const auto bin = static_cast<std::size_t>(field_.distances[pick] / width);
+    for (const auto& [i, distance] : picksNearFaults(grid_.points(), faults_, options_.band, &grid_.order(), options_.threads)) {
+      const auto bin = static_cast<std::size_t>(distance / width);
       if (bin >= bins_.size())
         bins_.resize(bin + 1);
       bins_[bin].push_back(i);
-      field_.states[pick] = PickState::Pending;
+      field_.distances[static_cast<std::size_t>(i)] = distance;
+      field_.states[static_cast<std::size_t>(i)] = PickState::Pending;
       ++judged_;
     }
   }

@@ -110,7 +110,7 @@ public:
   BvhBuilder(TriangleBvh& bvh, const TriangleMesh& mesh, unsigned threads)
       : bvh_(bvh)
       , mesh_(mesh)
-      , threads_(threads)
+      , threads_(mesh.triangles.size() <= kSubtree ? 1 : threads)
       , items_(mesh.triangles.size()) {}
 
   void run() {

@@ -246,6 +246,17 @@ std::vector<SegmentHit> TriangleBvh::allHits(const Vector3& a, const Vector3& b)
   return result;
 }
 
+std::size_t TriangleBvh::countHits(const Vector3& a, const Vector3& b) const {
+  std::size_t count = 0;
+  bool on_edge = false;
+  walkSegment(a, b, [&](std::size_t, double, unsigned on_edges) {
+    ++count;
+    on_edge = on_edges != 0;
+    return !on_edge;
+  });
+  return on_edge ? allHits(a, b).size() : count;
+}
+
 bool TriangleBvh::hits(const Vector3& a, const Vector3& b) const {
   bool found = false;
   walkSegment(a, b, [&found](std::size_t, double, unsigned) {

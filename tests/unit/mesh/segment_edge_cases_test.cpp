@@ -46,6 +46,7 @@ TEST_P(SegmentEdgeCases, ThroughEdgesAndCornersAlwaysHitsAndComesOnce) {
         const auto hits = bvh.allHits(on_edge - direction, on_edge + beyond * direction);
         ASSERT_EQ(hits.size(), 1U) << on_edge.transpose();
         ASSERT_NEAR(hits[0].parameter, 1.0 / (1.0 + beyond), 1e-9);
+        ASSERT_EQ(bvh.countHits(on_edge - direction, on_edge + beyond * direction), 1U);
         ASSERT_TRUE(bvh.hits(on_edge + direction, on_edge - beyond * direction));
       }
     }
@@ -110,6 +111,8 @@ TEST(SegmentEdgeCases, TwoSheetsThatTouchNowhereComeTwice) {
   const TriangleBvh bvh(mesh);
   EXPECT_EQ(bvh.allHits({1, 1, -1}, {1, 1, 1}).size(), 2U);
   EXPECT_EQ(bvh.allHits({0.5, 0.5, -1}, {0.5, 0.5, 1}).size(), 2U); // on a diagonal
+  EXPECT_EQ(bvh.countHits({0.5, 0.5, -1}, {0.5, 0.5, 1}), 2U);
+  EXPECT_EQ(bvh.countHits({0.6, 0.5, -1}, {0.6, 0.5, 1}), 2U);
 }
 
 TEST(SegmentEdgeCases, DoubledVerticesOfASeamCountAsShared) {

@@ -81,6 +81,9 @@ public:
   /// its main fault it counts as no fault.
   std::vector<FaultCrossing> crossings(std::size_t fault, const Vector3& a, const Vector3& b) const;
 
+  /// True if a fault lies between two places: it has an odd number of crossings().
+  bool separates(std::size_t fault, const Vector3& a, const Vector3& b) const;
+
   /// The nearest point over all faults within max_distance; fault -1 if there is none.
   FaultPoint nearest(const Vector3& p,
                      double max_distance = std::numeric_limits<double>::infinity()) const;
@@ -100,6 +103,7 @@ public:
 private:
   FaultCrossing crossing(std::size_t fault, const SegmentHit& hit, const Vector3& run) const;
   FaultPoint faultPoint(std::size_t fault, const Vector3& p, const MeshPoint& found) const;
+  bool isBranch(std::size_t fault) const;
   bool beyondMainFault(std::size_t fault, const Vector3& p) const;
 
   std::vector<FaultSurface> faults_;

@@ -22,7 +22,7 @@ std::vector<bool> FaultZone<PointT>::choose(const Points& points, const FaultNet
   if (width_ == 0.0)
     used_width_ = MEAN_DISTANCES *
                   meanPickDistance(NeighborGrid(points, 0.0, this->threads_), this->threads_);
-  distances_ = distancesToFaults(points, faults, used_width_, nullptr, this->threads_);
+  distances_ = distancesToFaults(points, faults, used_width_, this->threads_);
   std::vector<bool> chosen;
   for (const double distance : distances_)
     chosen.push_back(std::isfinite(distance));
