@@ -19,67 +19,94 @@ void NearbyPicks::gather(const FieldData& data, const Vector3& centre, double ra
   radius_ = radius;
   scale_ = 1.0 / radius;
   chosen_.clear();
-  looked_around_ = false;
+  looked_around_ = 0;
   // Picks lie on a sheet, with about 3 to a cell of the grid.
   const double across = 2.0 * radius / data.grid.cellSize();
   state_ = across * across > kMost ? State::TooMany : State::Gathered;
   if (state_ == State::TooMany)
     return;
   collect(data);
-  if (index_.size() > 2 * kMost) {
+  if (count_ > 2 * kMost) {
     state_ = State::TooMany;
     return;
   }
   findSides(data, viewpoints);
-  squared_.resize(index_.size());
-  within_.resize(index_.size());
 }
 
-/// The picks with a plane in the ball.
+/// The picks with a plane in the ball, and perhaps some on its very edge outside.
 void NearbyPicks::collect(const FieldData& data) {
+  constexpr float limit = 1.0F + 1e-5F; // more than the rounding
   data.grid.runsAround(centre_, radius_, runs_);
   std::size_t most = 0;
   for (const PointRun& run : runs_)
     most += run.count;
-  for (std::vector<double>* values : {&x_, &y_, &z_})
+  for (std::vector<float>* values : {&near_x_, &near_y_, &near_z_})
     values->resize(std::max(most, values->size()));
-  index_.resize(most);
-  const double cx = centre_.x(), cy = centre_.y(), cz = centre_.z();
-  const double limit = radius_ * radius_;
-  double *x = x_.data(), *y = y_.data(), *z = z_.data();
-  Index* index = index_.data();
+  index_.resize(std::max(most, index_.size()));
+  const double cx = centre_.x(), cy = centre_.y(), cz = centre_.z(), scale = scale_;
+  const Vector3* normals = data.planes.normals.data();
+  float *x = near_x_.data(), *y = near_y_.data(), *z = near_z_.data();
+  Index* indices = index_.data();
   std::size_t count = 0;
   for (const PointRun& run : runs_)
     for (std::size_t i = 0; i < run.count; ++i) {
       const Vector3& p = run.points[i];
-      const double dx = p.x() - cx, dy = p.y() - cy, dz = p.z() - cz;
-      x[count] = p.x();
-      y[count] = p.y();
-      z[count] = p.z();
-      index[count] = run.index(i);
-      const double normal_x = data.planes.normals[static_cast<std::size_t>(index[count])].x();
-      const bool in = dx * dx + dy * dy + dz * dz <= limit;
-      count += in && normal_x == normal_x ? 1 : 0;
+      const Index index = run.index(i);
+      const double normal_x = normals[index].x();
+      const auto dx = static_cast<float>((p.x() - cx) * scale);
+      const auto dy = static_cast<float>((p.y() - cy) * scale);
+      const auto dz = static_cast<float>((p.z() - cz) * scale);
+      x[count] = dx;
+      y[count] = dy;
+      z[count] = dz;
+      indices[count] = index;
+      count += (dx * dx + dy * dy + dz * dz <= limit) & (normal_x == normal_x) ? 1 : 0;
     }
-  index_.resize(count);
-  near_x_.resize(count);
-  near_y_.resize(count);
-  near_z_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    near_x_[i] = static_cast<float>((x[i] - cx) * scale_);
-    near_y_[i] = static_cast<float>((y[i] - cy) * scale_);
-    near_z_[i] = static_cast<float>((z[i] - cz) * scale_);
-  }
+  count_ = count;
+  points_ = data.grid.points().data();
 }
 
+/// Puts the picks on the same sides of the faults together.
 void NearbyPicks::findSides(const FieldData& data, const Bounds& viewpoints) {
+  groups_.clear();
+  faults_ = LocalFaults();
+  const double reach = radius_ * (1.0 + 1e-4);
   Bounds box = viewpoints;
-  for (std::size_t i = 0; i < index_.size(); ++i)
-    box.extend(Vector3(x_[i], y_[i], z_[i]));
-  faults_ = LocalFaults(data.faults, data.borders, box);
-  sides_.assign(index_.size(), 0);
-  for (std::size_t i = 0; i < index_.size() && !faults_.empty(); ++i)
-    sides_[i] = faults_.sides(Vector3(x_[i], y_[i], z_[i]));
+  box.extend(centre_ - Vector3::Constant(reach));
+  box.extend(centre_ + Vector3::Constant(reach));
+  if (data.faults.mayTouch(box)) {
+    box = viewpoints;
+    for (std::size_t i = 0; i < count_; ++i)
+      box.extend(place(i));
+    faults_ = LocalFaults(data.faults, data.borders, box);
+  }
+  if (faults_.empty()) {
+    groups_.push_back({0, 0, count_});
+    return;
+  }
+  sides_.resize(count_);
+  order_.resize(count_);
+  for (std::size_t i = 0; i < count_; ++i)
+    order_[i] = {faults_.sides(place(i)), static_cast<std::uint32_t>(i)};
+  std::sort(order_.begin(), order_.end());
+  for (std::size_t i = 0; i < count_; ++i) {
+    sides_[i] = order_[i].first;
+    if (i == 0 || sides_[i] != sides_[i - 1])
+      groups_.push_back({sides_[i], i, 0});
+    ++groups_.back().count;
+  }
+  permute(near_x_);
+  permute(near_y_);
+  permute(near_z_);
+  permute(index_);
+}
+
+template <typename Value>
+void NearbyPicks::permute(std::vector<Value>& values) const {
+  static thread_local std::vector<Value> before;
+  before.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count_));
+  for (std::size_t i = 0; i < count_; ++i)
+    values[i] = before[order_[i].second];
 }
 
 /// No farther than the nearest of the last question, if they are visible from here.
@@ -89,7 +116,7 @@ double NearbyPicks::knownBound(int sides, std::size_t wanted, double reach) cons
     return limit;
   double farthest = 0.0;
   for (const std::uint32_t i : chosen_) {
-    if (sides_[i] != sides || sides == LocalFaults::kUncertain)
+    if (!faults_.empty() && (sides_[i] != sides || sides == LocalFaults::kUncertain))
       return limit;
     farthest = std::max(farthest, squared_[i]);
   }
@@ -113,19 +140,16 @@ void NearbyPicks::take(std::size_t pick, std::size_t wanted) {
 }
 
 void NearbyPicks::nearest(const Vector3& v, const Vector3& viewpoint, std::size_t wanted, double reach, std::vector<Neighbor>& out) {
-  const std::size_t count = index_.size();
-  const double vx = v.x(), vy = v.y(), vz = v.z();
-  const double *x = x_.data(), *y = y_.data(), *z = z_.data();
+  squared_.resize(count_);
+  within_.resize(count_);
   double* squared = squared_.data();
-  for (std::size_t i = 0; i < count; ++i) {
-    const double dx = x[i] - vx, dy = y[i] - vy, dz = z[i] - vz;
-    squared[i] = dx * dx + dy * dy + dz * dz;
-  }
+  for (std::size_t i = 0; i < count_; ++i)
+    squared[i] = squaredDistance(i, v);
   const int sides = faults_.sides(viewpoint);
   const double bound = knownBound(sides, wanted, reach);
   std::uint32_t* within = within_.data();
   std::size_t few = 0;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     within[few] = static_cast<std::uint32_t>(i);
     few += squared[i] <= bound ? 1 : 0;
   }
@@ -135,9 +159,8 @@ void NearbyPicks::nearest(const Vector3& v, const Vector3& viewpoint, std::size_
     const std::uint32_t pick = within[i];
     if (chosen_.size() == wanted && squared[pick] > squared[chosen_.back()])
       continue;
-    const bool visible = exact || sides_[pick] == LocalFaults::kUncertain
-                           ? faults_.sameSide(Vector3(x[pick], y[pick], z[pick]), viewpoint)
-                           : sides_[pick] == sides;
+    const bool visible = faults_.empty() || (exact || sides_[pick] == LocalFaults::kUncertain ? faults_.sameSide(place(pick), viewpoint)
+                                                                                              : sides_[pick] == sides);
     if (visible)
       take(pick, wanted);
   }
@@ -146,29 +169,46 @@ void NearbyPicks::nearest(const Vector3& v, const Vector3& viewpoint, std::size_
     out.push_back({index_[i], squared[i]});
 }
 
-void NearbyPicks::lookAround(const Vector3* places, std::size_t count) {
+void NearbyPicks::lookAround(const Vector3* places, const Vector3* viewpoints, std::size_t count) {
   places_ = places;
-  looked_around_ = gathered() && faults_.empty() && index_.size() <= NearestBatch::kPoints;
-  if (!looked_around_)
+  looked_around_ = 0;
+  if (!gathered())
     return;
+  NearestBatch batch;
+  std::array<int, NearestBatch::kPlaces> sides{};
   for (std::size_t p = 0; p < count; ++p) {
-    batch_.x[p] = static_cast<float>((places[p].x() - centre_.x()) * scale_);
-    batch_.y[p] = static_cast<float>((places[p].y() - centre_.y()) * scale_);
-    batch_.z[p] = static_cast<float>((places[p].z() - centre_.z()) * scale_);
+    batch.x[p] = static_cast<float>((places[p].x() - centre_.x()) * scale_);
+    batch.y[p] = static_cast<float>((places[p].y() - centre_.y()) * scale_);
+    batch.z[p] = static_cast<float>((places[p].z() - centre_.z()) * scale_);
+    sides[p] = faults_.sides(viewpoints[p]);
   }
-  findNearest(near_x_.data(), near_y_.data(), near_z_.data(), index_.size(), batch_);
+  // Where it is uncertain whether a pick can be seen, each question is one of its own.
+  if (!groups_.empty() && groups_.front().sides == LocalFaults::kUncertain)
+    return;
+  for (const Group& group : groups_) {
+    if (group.count > NearestBatch::kPoints || std::find(sides.begin(), sides.begin() + count, group.sides) == sides.begin() + count)
+      continue;
+    findNearest(near_x_.data() + group.first, near_y_.data() + group.first, near_z_.data() + group.first, group.count, batch);
+    for (std::size_t p = 0; p < count; ++p) {
+      if (sides[p] != group.sides)
+        continue;
+      looked_around_ |= 1U << p;
+      group_[p] = &group;
+      for (std::size_t k = 0; k < NearestBatch::kKept; ++k)
+        found_[p][k] = batch.found[k][p];
+    }
+  }
 }
 
 bool NearbyPicks::nearestOf(std::size_t place, std::size_t wanted, double reach, std::vector<Neighbor>& out) const {
   constexpr double rounding = 1.0 / (1 << 18);
-  if (!looked_around_ || wanted >= NearestBatch::kKept)
+  if ((looked_around_ & (1U << place)) == 0 || wanted >= NearestBatch::kKept)
     return false;
-  const double vx = places_[place].x(), vy = places_[place].y(), vz = places_[place].z();
+  const Group& group = *group_[place];
   out.clear();
-  for (std::size_t k = 0; k < std::min(index_.size(), NearestBatch::kKept); ++k) {
-    const std::uint32_t i = NearestBatch::number(batch_.found[k][place]);
-    const double dx = x_[i] - vx, dy = y_[i] - vy, dz = z_[i] - vz;
-    const Neighbor found{index_[i], dx * dx + dy * dy + dz * dz};
+  for (std::size_t k = 0; k < std::min(group.count, NearestBatch::kKept); ++k) {
+    const std::size_t i = group.first + NearestBatch::number(found_[place][k]);
+    const Neighbor found{index_[i], squaredDistance(i, places_[place])};
     if (!(found.squared_distance <= reach * reach))
       continue;
     std::size_t at = out.size();
@@ -181,8 +221,8 @@ bool NearbyPicks::nearestOf(std::size_t place, std::size_t wanted, double reach,
     out.resize(wanted);
   // None of those left out may be nearer in truth.
   const double farthest = out.size() == wanted ? out.back().squared_distance : reach * reach;
-  return index_.size() <= NearestBatch::kKept ||
-         farthest * scale_ * scale_ + rounding < static_cast<double>(NearestBatch::least(batch_.found[NearestBatch::kKept - 1][place]));
+  return group.count <= NearestBatch::kKept ||
+         farthest * scale_ * scale_ + rounding < static_cast<double>(NearestBatch::least(found_[place][NearestBatch::kKept - 1]));
 }
 
 } // namespace graben

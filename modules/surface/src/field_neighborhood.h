@@ -5,6 +5,9 @@
 
 #include "graben/features/tangent_planes.h"
 
+#include <array>
+#include <utility>
+
 namespace graben {
 
 /// What the field is made from.
@@ -32,34 +35,53 @@ public:
   /// that radius about v must lie in the one gathered.
   void nearest(const Vector3& v, const Vector3& viewpoint, std::size_t wanted, double reach, std::vector<Neighbor>& out);
 
-  /// Looks around several places of the ball at once, at most NearestBatch::kPlaces of them, each to be seen from itself.
-  void lookAround(const Vector3* places, std::size_t count);
+  /// Looks around several places of the ball at once, at most NearestBatch::kPlaces of them.
+  /// \param[in] places kept by reference
+  void lookAround(const Vector3* places, const Vector3* viewpoints, std::size_t count);
   /// What nearest() gives for one of those places. \return false if that must be asked for
   bool nearestOf(std::size_t place, std::size_t wanted, double reach, std::vector<Neighbor>& out) const;
 
 private:
+  enum class State { Untried, Gathered, TooMany };
+  /// Picks on the same sides of the faults (see LocalFaults::sides).
+  struct Group {
+    int sides;
+    std::size_t first;
+    std::size_t count;
+  };
   void collect(const FieldData& data);
   void findSides(const FieldData& data, const Bounds& viewpoints);
-  enum class State { Untried, Gathered, TooMany };
+  template <typename Value>
+  void permute(std::vector<Value>& values) const;
   double knownBound(int sides, std::size_t wanted, double reach) const;
   void take(std::size_t pick, std::size_t wanted);
+  const Vector3& place(std::size_t i) const { return points_[index_[i]]; }
+  double squaredDistance(std::size_t i, const Vector3& v) const {
+    const Vector3& p = place(i);
+    const double dx = p.x() - v.x(), dy = p.y() - v.y(), dz = p.z() - v.z();
+    return dx * dx + dy * dy + dz * dz;
+  }
 
   State state_ = State::Untried;
   Vector3 centre_ = Vector3::Zero();
   double radius_ = 0.0;
   double scale_ = 0.0; ///< what takes the radius to 1
   LocalFaults faults_;
-  std::vector<double> x_, y_, z_;
-  std::vector<float> near_x_, near_y_, near_z_; ///< the same from the centre, scaled
   std::vector<PointRun> runs_;
-  std::vector<Index> index_;
-  std::vector<int> sides_;
-  std::vector<double> squared_;         ///< distances of all picks in the question at hand
-  std::vector<std::uint32_t> within_;   ///< those that may be among the nearest
-  std::vector<std::uint32_t> chosen_;   ///< nearest first; of the last question until they are replaced
-  const Vector3* places_ = nullptr;     ///< those looked around together
-  bool looked_around_ = false;
-  NearestBatch batch_;
+  const Vector3* points_ = nullptr;
+  std::size_t count_ = 0;                       ///< of picks; arrays may be longer
+  std::vector<Index> index_;                    ///< of each, by groups
+  std::vector<float> near_x_, near_y_, near_z_; ///< where they are from the centre, scaled
+  std::vector<Group> groups_;                   ///< in order of their sides
+  std::vector<int> sides_;                      ///< of each pick, if there are faults
+  std::vector<std::pair<int, std::uint32_t>> order_;
+  std::vector<double> squared_;       ///< distances of all picks in the question at hand
+  std::vector<std::uint32_t> within_; ///< those that may be among the nearest
+  std::vector<std::uint32_t> chosen_; ///< nearest first; of the last question until they are replaced
+  const Vector3* places_ = nullptr;   ///< those looked around together
+  unsigned looked_around_ = 0;        ///< bit p: place p was
+  std::array<const Group*, NearestBatch::kPlaces> group_{};
+  std::array<std::array<float, NearestBatch::kKept>, NearestBatch::kPlaces> found_{};
 };
 
 /// What lies around places in a ball.

@@ -161,7 +161,7 @@ void SheetCells::evaluate() {
       places.clear();
       for (BlockMask rest = wanted; rest != 0; rest &= rest - 1)
         places.push_back(lattice_.position(of.vertex(block::lowest(rest))));
-      field_.at(places, scratch, values);
+      field_.at(places, places, scratch, values);
       auto found = values.begin();
       for (BlockMask rest = wanted; rest != 0; rest &= rest - 1, ++found) {
         const int slot = block::lowest(rest);
@@ -192,15 +192,21 @@ void SheetCells::evaluateGhosts() {
   ghost_values_.resize(ghosts.size());
   parallelBlocks(first.size() - 1, grain, options_.threads, [&](std::size_t begin, std::size_t end) {
     SignedDistance::Scratch scratch;
+    Points places;
+    Points viewpoints;
+    std::vector<FieldValue> values;
     for (std::size_t b = begin; b < end; ++b) {
-      Bounds places;
-      for (std::size_t i = first[b]; i < first[b + 1]; ++i)
-        places.extend(lattice_.position(ghosts[order[i].second].at));
-      field_.focus(places, scratch);
+      places.clear();
+      viewpoints.clear();
       for (std::size_t i = first[b]; i < first[b + 1]; ++i) {
         const GhostVertex& ghost = ghosts[order[i].second];
+        places.push_back(lattice_.position(ghost.at));
+        viewpoints.push_back(lattice_.position(ghost.seen_from));
+      }
+      field_.at(places, viewpoints, scratch, values);
+      for (std::size_t i = first[b]; i < first[b + 1]; ++i) {
         FieldValue& value = ghost_values_[order[i].second];
-        value = field_.at(lattice_.position(ghost.at), lattice_.position(ghost.seen_from), scratch);
+        value = values[i - first[b]];
         value.value -= options_.iso_level;
       }
     }

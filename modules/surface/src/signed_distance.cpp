@@ -98,6 +98,11 @@ bool SignedDistance::enough(const std::vector<Neighbor>& visible, double reach) 
   return visible.size() == options_.blend + 1 || reach == query_radius_;
 }
 
+void SignedDistance::gatherFar(FieldNeighborhood& around) const {
+  if (around.far.untried())
+    around.far.gather(data(), around.centre, around.extent + query_radius_, grown(around.places, kViewpoint * options_.voxel_size));
+}
+
 /// \return false if there may be nearer ones than those found
 bool SignedDistance::findVisibleNearby(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const {
   FieldNeighborhood& around = *scratch.around;
@@ -112,8 +117,7 @@ bool SignedDistance::findVisibleNearby(const Vector3& v, const Vector3& viewpoin
   }
   if (around.near.faults().empty())
     return false;
-  if (around.far.untried())
-    around.far.gather(data(), around.centre, around.extent + query_radius_, grown(around.places, kViewpoint * options_.voxel_size));
+  gatherFar(around);
   if (around.far.gathered())
     around.far.nearest(v, viewpoint, wanted, query_radius_, scratch.visible);
   return around.far.gathered();
@@ -236,23 +240,41 @@ FieldValue SignedDistance::at(const Vector3& v, const Vector3& viewpoint, Scratc
   return valueOf(v, viewpoint, scratch);
 }
 
-void SignedDistance::at(const Points& places, Scratch& scratch, std::vector<FieldValue>& values) const {
+void SignedDistance::at(const Points& places, const Points& viewpoints, Scratch& scratch, std::vector<FieldValue>& values) const {
   Bounds box;
   for (const Vector3& v : places)
     box.extend(v);
   focus(box, scratch);
   values.resize(places.size());
-  NearbyPicks& near = scratch.around->near;
-  for (std::size_t first = 0; first < places.size(); first += NearestBatch::kPlaces) {
-    const std::size_t count = std::min(places.size() - first, NearestBatch::kPlaces);
-    near.lookAround(&places[first], count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vector3& v = places[first + i];
-      const double reach = sureReach(v, *scratch.around);
-      if (!near.nearestOf(i, options_.blend + 1, reach, scratch.visible) || !enough(scratch.visible, reach))
-        findVisible(v, v, scratch);
-      values[first + i] = valueOf(v, v, scratch);
+  for (std::size_t first = 0; first < places.size(); first += NearestBatch::kPlaces)
+    valuesOf(&places[first], &viewpoints[first], std::min(places.size() - first, NearestBatch::kPlaces), scratch, &values[first]);
+}
+
+/// At most NearestBatch::kPlaces values in focus.
+void SignedDistance::valuesOf(const Vector3* places, const Vector3* viewpoints, std::size_t count, Scratch& scratch, FieldValue* values) const {
+  FieldNeighborhood& around = *scratch.around;
+  const std::size_t wanted = options_.blend + 1;
+  around.near.lookAround(places, viewpoints, count);
+  bool looked_far = false;
+  const auto findTogether = [&](std::size_t i) {
+    const double reach = sureReach(places[i], around);
+    if (!around.near.nearestOf(i, wanted, reach, scratch.visible))
+      return false;
+    if (enough(scratch.visible, reach))
+      return true;
+    if (around.near.faults().empty())
+      return false;
+    if (!looked_far) {
+      gatherFar(around);
+      around.far.lookAround(places, viewpoints, count);
+      looked_far = true;
     }
+    return around.far.nearestOf(i, wanted, query_radius_, scratch.visible);
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!findTogether(i))
+      findVisible(places[i], viewpoints[i], scratch);
+    values[i] = valueOf(places[i], viewpoints[i], scratch);
   }
 }
 

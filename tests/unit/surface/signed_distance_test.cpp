@@ -27,25 +27,29 @@ Points placesAbout(const Vector3& middle, double step) {
   return places;
 }
 
-/// Asks for values together and one by one, each with buffers that know nothing of the others.
+/// Asks for values together and one by one, each with buffers that know nothing of the others; seen from the places themselves and from beside them.
 void expectTogetherAsAlone(const SignedDistance& field, const std::vector<Points>& questions) {
   SignedDistance::Scratch together;
   std::vector<FieldValue> values;
   std::size_t defined = 0;
-  for (const Points& places : questions) {
-    field.at(places, together, values);
-    ASSERT_EQ(values.size(), places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      SignedDistance::Scratch alone;
-      const FieldValue expected = field.at(places[i], places[i], alone);
-      ASSERT_EQ(values[i].plane, expected.plane) << places[i].transpose();
-      ASSERT_EQ(values[i].defined(), expected.defined()) << places[i].transpose();
-      if (expected.defined()) {
-        ASSERT_EQ(values[i].value, expected.value) << places[i].transpose();
-        ++defined;
+  for (const Points& places : questions)
+    for (const double aside : {0.0, 1.0}) {
+      Points viewpoints = places;
+      for (Vector3& p : viewpoints)
+        p.x() += aside * field.options().voxel_size;
+      field.at(places, viewpoints, together, values);
+      ASSERT_EQ(values.size(), places.size());
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        SignedDistance::Scratch alone;
+        const FieldValue expected = field.at(places[i], viewpoints[i], alone);
+        ASSERT_EQ(values[i].plane, expected.plane) << places[i].transpose();
+        ASSERT_EQ(values[i].defined(), expected.defined()) << places[i].transpose();
+        if (expected.defined()) {
+          ASSERT_EQ(values[i].value, expected.value) << places[i].transpose();
+        }
+        defined += expected.defined() ? 1 : 0;
       }
     }
-  }
   EXPECT_GT(defined, questions.size());
 }
 

@@ -49,15 +49,12 @@ public:
     std::unique_ptr<FieldNeighborhood> around;
   };
 
-  /// Makes the buffers ready for many questions about places in a box of a few cells: picks and faults around them are looked up once. The answers
-  /// stay the same.
-  void focus(const Bounds& places, Scratch& scratch) const;
-
   FieldValue at(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
 
-  /// The values at many places in a box of a few cells, each seen from itself, together at a fraction of the cost.
+  /// The values at many places in a box of a few cells, together at a fraction of the cost.
+  /// \param[in] viewpoints one for each place
   /// \param[out] values one for each place
-  void at(const Points& places, Scratch& scratch, std::vector<FieldValue>& values) const;
+  void at(const Points& places, const Points& viewpoints, Scratch& scratch, std::vector<FieldValue>& values) const;
 
   /// How far a place on the surface lies from the nearest pick; 0 if that is within \a near, if picks lie all round it, or if it lies near a fault and
   /// no farther than \a near outside the outline of the picks of both sides.
@@ -78,9 +75,12 @@ private:
   bool insideOutline(const Vector3& place, const Vector3& normal, double near, Scratch& scratch) const;
   bool carriedToFault(const Vector3& foot, double near, Scratch& scratch) const;
   FieldValue valueOf(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
+  void valuesOf(const Vector3* places, const Vector3* viewpoints, std::size_t count, Scratch& scratch, FieldValue* values) const;
+  void gatherFar(FieldNeighborhood& around) const;
   double sureReach(const Vector3& v, const FieldNeighborhood& around) const;
   bool enough(const std::vector<Neighbor>& visible, double reach) const;
   FieldData data() const;
+  void focus(const Bounds& places, Scratch& scratch) const;
   void focusFaults(const Bounds& places, Scratch& scratch) const;
   FieldValue blended(const Vector3& v, const std::vector<Neighbor>& visible, Vector3& foot) const;
 
