@@ -92,19 +92,19 @@ LocalFaults::Sheet LocalFaults::sheetOf(std::size_t fault, const std::vector<Ind
   };
   Sheet sheet;
   sheet.fault = fault;
-  if (meetsMainFault(*faults_, fault, box_))
-    return sheet;
+  sheet.simple = !meetsMainFault(*faults_, fault, box_);
   for (const Index t : triangles) {
-    for (std::size_t e = 0; e < 3; ++e)
-      if ((borders.of(fault, t) & (1U << e)) != 0 && Bounds{corner(t, e).cwiseMin(corner(t, e + 1)), corner(t, e).cwiseMax(corner(t, e + 1))}.overlaps(box_))
-        return sheet;
+    for (std::size_t e = 0; e < 3 && sheet.simple; ++e)
+      sheet.simple = (borders.of(fault, t) & (1U << e)) == 0 ||
+                     !Bounds{corner(t, e).cwiseMin(corner(t, e + 1)), corner(t, e).cwiseMax(corner(t, e + 1))}.overlaps(box_);
     sheet.normal += (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).stableNormalized();
   }
-  if (sheet.normal.isZero())
+  if (sheet.normal.isZero()) {
+    sheet.simple = false;
     return sheet;
+  }
   sheet.normal.normalize();
-  sheet.low = std::numeric_limits<double>::infinity();
-  sheet.high = -sheet.low;
+  std::swap(sheet.low, sheet.high);
   for (const Index t : triangles) {
     Polygon polygon;
     for (std::size_t c = 0; c < 3; ++c)
@@ -118,7 +118,8 @@ LocalFaults::Sheet LocalFaults::sheetOf(std::size_t fault, const std::vector<Ind
   const double rounding = 1e-10 * (box_.low.cwiseAbs().maxCoeff() + box_.high.cwiseAbs().maxCoeff());
   sheet.low -= rounding;
   sheet.high += rounding;
-  sheet.simple = true;
+  if (!sheet.simple)
+    return sheet;
   // The corners of the box farthest to either side.
   Vector3 below = box_.low;
   Vector3 above = box_.high;
@@ -130,8 +131,12 @@ LocalFaults::Sheet LocalFaults::sheetOf(std::size_t fault, const std::vector<Ind
   return sheet;
 }
 
-/// Side of a place within the slab, by the way out of it along the normal.
-int LocalFaults::sideWithin(const Sheet& sheet, const Vector3& p, double at) const {
+/// Side of a simple sheet; of a place within the slab by the way out of it along the normal.
+int LocalFaults::sideOf(const Sheet& sheet, const Vector3& p, double at) const {
+  if (!sheet.parts || at < sheet.low)
+    return 0;
+  if (at > sheet.high)
+    return 1;
   const double rounding = 1e-12 * (box_.low.cwiseAbs().maxCoeff() + box_.high.cwiseAbs().maxCoeff());
   for (const int side : {1, 0}) {
     const Vector3 out = p + ((side == 1 ? sheet.high + rounding : sheet.low - rounding) - at) * sheet.normal;
@@ -152,10 +157,7 @@ int LocalFaults::sides(const Vector3& p) const {
     return kUncertain;
   int bits = 0;
   for (const Sheet& sheet : sheets_) {
-    const double at = sheet.normal.dot(p);
-    int side = kUncertain;
-    if (sheet.simple)
-      side = !sheet.parts || at < sheet.low ? 0 : at > sheet.high ? 1 : sideWithin(sheet, p, at);
+    const int side = sheet.simple ? sideOf(sheet, p, sheet.normal.dot(p)) : kUncertain;
     if (side == kUncertain)
       return kUncertain;
     bits = 2 * bits + side;
@@ -163,12 +165,26 @@ int LocalFaults::sides(const Vector3& p) const {
   return bits;
 }
 
+bool LocalFaults::separates(const Sheet& sheet, const Vector3& a, const Vector3& b) const {
+  const double at_a = sheet.normal.dot(a);
+  const double at_b = sheet.normal.dot(b);
+  if ((at_a > sheet.high && at_b > sheet.high) || (at_a < sheet.low && at_b < sheet.low) || (sheet.simple && !sheet.parts))
+    return false;
+  if (sheet.simple) {
+    const int from = sideOf(sheet, a, at_a);
+    const int to = sideOf(sheet, b, at_b);
+    if (from != kUncertain && to != kUncertain)
+      return from != to;
+  }
+  return faults_->separates(sheet.fault, a, b);
+}
+
 bool LocalFaults::sameSide(const Vector3& a, const Vector3& b) const {
   if (sheets_.empty())
     return true;
-  const int from = sides(a);
-  const int to = sides(b);
-  return from != kUncertain && to != kUncertain ? from == to : graben::sameSide(*faults_, a, b);
+  if (!contains(box_, a) || !contains(box_, b))
+    return graben::sameSide(*faults_, a, b);
+  return std::none_of(sheets_.begin(), sheets_.end(), [&](const Sheet& sheet) { return separates(sheet, a, b); });
 }
 
 bool LocalFaults::crosses(const Vector3& a, const Vector3& b) const {
@@ -178,7 +194,7 @@ bool LocalFaults::crosses(const Vector3& a, const Vector3& b) const {
   for (const Sheet& sheet : sheets_) {
     const double at_a = sheet.normal.dot(a);
     const double at_b = sheet.normal.dot(b);
-    if (sheet.simple && ((at_a > sheet.high && at_b > sheet.high) || (at_a < sheet.low && at_b < sheet.low)))
+    if ((at_a > sheet.high && at_b > sheet.high) || (at_a < sheet.low && at_b < sheet.low))
       continue;
     if (sheet.simple && sheet.parts && std::min(at_a, at_b) < sheet.low && std::max(at_a, at_b) > sheet.high)
       return true;

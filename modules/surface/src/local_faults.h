@@ -3,6 +3,7 @@
 #include "graben/faults/fault_network.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace graben {
@@ -22,7 +23,7 @@ private:
 /// FaultNetwork::crosses().
 ///
 /// A fault that passes through the box with no end in it parts the box in two. Places beyond the slab that holds the fault there are told apart by
-/// one product, those within it by one segment each; only where a fault ends every pair is tested.
+/// one product, those within it by one segment each; only where a fault ends every pair is tested that the slab does not settle.
 class LocalFaults {
 public:
   LocalFaults() = default;
@@ -45,14 +46,15 @@ private:
   struct Sheet {
     std::size_t fault = 0;
     Vector3 normal = Vector3::Zero();
-    double low = 0.0; ///< the sheet lies between these along the normal
-    double high = 0.0;
+    double low = -std::numeric_limits<double>::infinity(); ///< the sheet lies between these along the normal
+    double high = std::numeric_limits<double>::infinity();
     bool simple = false; ///< has no end in the box
     bool parts = false;  ///< lies between any place below it and any above
   };
   Sheet sheetOf(std::size_t fault, const std::vector<Index>& triangles, const FaultBorders& borders) const;
 
-  int sideWithin(const Sheet& sheet, const Vector3& p, double at) const;
+  int sideOf(const Sheet& sheet, const Vector3& p, double at) const;
+  bool separates(const Sheet& sheet, const Vector3& a, const Vector3& b) const;
 
   const FaultNetwork* faults_ = nullptr;
   Bounds box_;
