@@ -16,16 +16,19 @@ using detail::NeighborGridData;
 const Points NO_POINTS;
 constexpr std::int64_t MAX_BLOCKS = 64; // visited by one query; beyond, the tree is faster
 
-/// Cells that a cube around a query overlaps.
+/// Cells that a cube around a query, or a box with a margin, overlaps.
 struct CellRange {
   std::array<std::int64_t, 3> low, high;
 
-  CellRange(const detail::CellLattice& lattice, const Vector3& query, double half_edge) {
+  CellRange(const detail::CellLattice& lattice, const Vector3& query, double half_edge)
+      : CellRange(lattice, Bounds{query, query}, half_edge) {}
+
+  CellRange(const detail::CellLattice& lattice, const Bounds& box, double margin) {
     for (int axis = 0; axis < 3; ++axis) {
       // Rounding must not shut out a point that lies on the cube.
-      const double reach = half_edge * (1.0 + 1e-12) + 1e-15 * std::abs(query[axis]);
-      low[static_cast<std::size_t>(axis)] = lattice.cell(query[axis] - reach, axis);
-      high[static_cast<std::size_t>(axis)] = lattice.cell(query[axis] + reach, axis);
+      const double reach = margin * (1.0 + 1e-12) + 1e-15 * std::max(std::abs(box.low[axis]), std::abs(box.high[axis]));
+      low[static_cast<std::size_t>(axis)] = lattice.cell(box.low[axis] - reach, axis);
+      high[static_cast<std::size_t>(axis)] = lattice.cell(box.high[axis] + reach, axis);
     }
   }
   std::int64_t blocks() const {
@@ -306,19 +309,23 @@ void NeighborGrid::within(const Vector3& query, double radius, std::vector<Neigh
 }
 
 void NeighborGrid::runsAround(const Vector3& query, double radius, std::vector<PointRun>& runs) const {
+  runsAround(Bounds{query, query}, radius, runs);
+}
+
+void NeighborGrid::runsAround(const Bounds& box, double radius, std::vector<PointRun>& runs) const {
   runs.clear();
-  if (size() == 0 || !query.allFinite() || !(radius >= 0.0))
+  if (size() == 0 || box.empty() || !box.low.allFinite() || !box.high.allFinite() || !(radius >= 0.0))
     return;
   const detail::OrderedPoints& ordered = data_->ordered;
   const auto add = [&](std::size_t first, std::size_t end) {
     runs.push_back({ordered.points + first, end - first, ordered.indices == nullptr ? nullptr : ordered.indices + first, static_cast<Index>(first)});
   };
-  const CellRange range(data_->lattice, query, radius);
+  const CellRange range(data_->lattice, box, radius);
   if (range.blocks() <= MAX_BLOCKS && visitRange(*data_, range, std::numeric_limits<std::size_t>::max(), add))
     return;
   runs.clear();
   std::size_t first = 0, end = 0;
-  data_->tree.visitLeaves(ordered.count, query, radius * radius, [&](std::size_t leaf_first, std::size_t leaf_end) {
+  data_->tree.visitLeaves(ordered.count, box, radius * radius, [&](std::size_t leaf_first, std::size_t leaf_end) {
     if (leaf_first != end) {
       if (end > first)
         add(first, end);

@@ -46,7 +46,8 @@ bool NeighborhoodGrower::takeNearest(std::vector<Index>& neighbors) {
     Bounds box;
     box.extend(place_ - reach);
     box.extend(place_ + reach);
-    if (faults_.mayTouch(box))
+    near_fault_ = faults_.mayTouch(box);
+    if (near_fault_)
       return false;
   }
   neighbors.resize(wanted_);
@@ -184,7 +185,8 @@ void NeighborhoodGrower::growFromHere(std::vector<Index>& neighbors) {
   neighbors.clear();
   if (!place_.allFinite())
     return;
-  if (takeNearest(neighbors) || (queryCandidates(wanted_) && growInOrder(neighbors)))
+  near_fault_ = false;
+  if (takeNearest(neighbors) || (!near_fault_ && queryCandidates(wanted_) && growInOrder(neighbors)))
     return;
   for (std::size_t factor = FIRST_FACTOR;; factor *= 3) {
     const bool enough = queryCandidates(factor * wanted_);

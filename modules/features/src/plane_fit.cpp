@@ -12,87 +12,96 @@ namespace {
 constexpr double LINE =
     1e-10; ///< ratio of the second to the largest eigenvalue below which points lie on a line
 
-/// The eigenvector of the least eigenvalue, where the points make a clear plane: that value is well below the others, which are alike within
-/// 1e-4. False if they do not; a general solver then knows what to do.
-bool leastEigenvector(const Eigen::Matrix3d& m, Vector3& vector, double& least, double& sum) {
-  const double a = m(0, 0), b = m(1, 1), c = m(2, 2), d = m(1, 0), e = m(2, 0), f = m(2, 1);
-  const double minors = a * b - d * d + a * c - e * e + b * c - f * f;
-  const double determinant = a * (b * c - f * f) - d * (d * c - f * e) + e * (d * f - b * e);
-  sum = a + b + c;
-  if (!(minors > 2e-4 * sum * sum)) // the product of the others over their squared sum
-    return false;
-  // Newton's steps from 0 grow towards the least root of the characteristic polynomial and never beyond it.
-  least = 0.0;
-  for (int step = 0; step < 8; ++step) {
-    const double value = determinant - least * (minors - least * (sum - least));
-    const double slope = minors - least * (2.0 * sum - 3.0 * least);
-    const double change = value / slope;
-    least += change;
-    if (std::abs(change) <= 1e-16 * sum)
-      break;
-  }
-  if (!(8.0 * least < sum) || !(least > -1e-12 * sum))
-    return false;
-  const Vector3 x(a - least, d, e), y(d, b - least, f), z(e, f, c - least);
-  const Vector3 xy = x.cross(y), xz = x.cross(z), yz = y.cross(z);
-  const double xy2 = xy.squaredNorm(), xz2 = xz.squaredNorm(), yz2 = yz.squaredNorm();
-  const double most = std::max({xy2, xz2, yz2});
-  vector = most == xy2 ? xy : most == xz2 ? xz : yz;
-  vector /= std::sqrt(most);
-  return most > 1e-8 * sum * sum * sum * sum;
-}
+struct Solution {
+  Vector3 normal;
+  double share; ///< of the least eigenvalue in the sum of all
+};
 
-} // namespace
-
-Scatter scatterOf(const Points& points, const std::vector<Index>& indices) {
-  const Vector3 origin = points[static_cast<std::size_t>(indices.front())]; // near: little is lost in the differences of sums below
-  double x = 0.0, y = 0.0, z = 0.0, xx = 0.0, yx = 0.0, zx = 0.0, yy = 0.0, zy = 0.0, zz = 0.0, farthest = 0.0;
-  for (const Index i : indices) {
-    const Vector3& p = points[static_cast<std::size_t>(i)];
-    const double dx = p.x() - origin.x(), dy = p.y() - origin.y(), dz = p.z() - origin.z();
-    x += dx;
-    y += dy;
-    z += dz;
-    const double dx2 = dx * dx, dy2 = dy * dy, dz2 = dz * dz;
-    xx += dx2;
-    yy += dy2;
-    zz += dz2;
-    yx += dy * dx;
-    zx += dz * dx;
-    zy += dz * dy;
-    farthest = std::max(farthest, dx2 + dy2 + dz2);
-  }
-  const double share = 1.0 / static_cast<double>(indices.size());
-  Scatter scatter;
-  scatter.centre = origin + share * Vector3(x, y, z);
-  scatter.sum << xx - share * x * x, 0.0, 0.0, yx - share * y * x, yy - share * y * y, 0.0, zx - share * z * x, zy - share * z * y,
-      zz - share * z * z;
-  scatter.farthest = farthest;
-  return scatter;
-}
-
-std::optional<FittedPlane> fitPlane(const Scatter& scatter, const Eigen::Matrix3d* pull) {
-  Vector3 quick;
-  double least = 0.0, all_values = 0.0;
-  if (pull == nullptr && leastEigenvector(scatter.sum, quick, least, all_values))
-    return FittedPlane{scatter.centre, quick, std::max(0.0, least) / all_values};
-  const Eigen::Matrix3d matrix = pull == nullptr ? scatter.sum : Eigen::Matrix3d(scatter.sum + *pull);
+/// For any points; nothing if they lie on a line.
+std::optional<Solution> solve(const Eigen::Matrix3d& matrix) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(matrix);
   // The closed form loses half the digits of two eigenvalues that are nearly the same.
   if (!(solver.eigenvalues()[1] > 1e-4 * solver.eigenvalues()[2]))
     solver.compute(matrix);
   const Vector3 values = solver.eigenvalues();
-  if (!(values[2] > 0.0) || !(values[1] > LINE * values[2]))
-    return std::nullopt;
   const Vector3 normal = solver.eigenvectors().col(0).normalized();
-  if (!normal.allFinite())
+  if (!(values[2] > 0.0) || !(values[1] > LINE * values[2]) || !normal.allFinite())
     return std::nullopt;
-  if (pull == nullptr)
-    return FittedPlane{scatter.centre, normal, std::max(0.0, values[0]) / (std::max(0.0, values[0]) + values[1] + values[2])};
-  const double across = normal.dot(scatter.sum.selfadjointView<Eigen::Lower>() * normal);
-  const double all = scatter.sum.trace();
-  return FittedPlane{scatter.centre, normal, all > 0.0 ? std::min(std::max(0.0, across) / all, 1.0 / 3.0) : 0.0};
+  const double least = std::max(0.0, values[0]);
+  return Solution{normal, least / (least + values[1] + values[2])};
+}
+
+} // namespace
+
+Eigen::Matrix3d Scatter::matrix() const {
+  Eigen::Matrix3d m;
+  m << sum.xx, 0.0, 0.0, sum.yx, sum.yy, 0.0, sum.zx, sum.zy, sum.zz;
+  return m;
+}
+
+Scatter scatterOf(const Vector3& place, const Moments& m, std::size_t count) {
+  const double share = 1.0 / static_cast<double>(count);
+  Scatter scatter;
+  scatter.centre = place + share * Vector3(m.x, m.y, m.z);
+  scatter.sum.xx = m.xx - share * m.x * m.x;
+  scatter.sum.yx = m.yx - share * m.y * m.x;
+  scatter.sum.yy = m.yy - share * m.y * m.y;
+  scatter.sum.zx = m.zx - share * m.z * m.x;
+  scatter.sum.zy = m.zy - share * m.z * m.y;
+  scatter.sum.zz = m.zz - share * m.z * m.z;
+  scatter.farthest = m.farthest;
+  return scatter;
+}
+
+Scatter scatterOf(const Points& points, const std::vector<Index>& indices) {
+  static thread_local std::vector<Index> sorted;
+  static thread_local VectorArrays vectors;
+  const Vector3& first = points[static_cast<std::size_t>(indices.front())]; // near: little is lost in the differences of sums
+  sorted.assign(indices.begin() + 1, indices.end());
+  std::sort(sorted.begin(), sorted.end());
+  vectors.makeRoomFor(sorted.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const Vector3 d = points[static_cast<std::size_t>(sorted[i])] - first;
+    vectors.x[i] = d.x();
+    vectors.y[i] = d.y();
+    vectors.z[i] = d.z();
+  }
+  return scatterOf(first, vectors.moments(sorted.size()), indices.size());
+}
+
+std::optional<FittedPlane> fitPlane(const Scatter& scatter, const Eigen::Matrix3d& pull) {
+  const std::optional<Solution> solution = solve(scatter.matrix() + pull);
+  if (!solution)
+    return std::nullopt;
+  const Eigen::Matrix3d spread = scatter.matrix();
+  const double across = solution->normal.dot(spread.selfadjointView<Eigen::Lower>() * solution->normal);
+  const double all = spread.trace();
+  return FittedPlane{scatter.centre, solution->normal, all > 0.0 ? std::min(std::max(0.0, across) / all, 1.0 / 3.0) : 0.0};
+}
+
+void fitPlanes(const Scatter* scatters, std::size_t count, std::optional<FittedPlane>* planes) {
+  static thread_local std::vector<SymmetricMatrix> sums;
+  static thread_local std::vector<LeastEigenvector> vectors;
+  sums.clear();
+  for (std::size_t i = 0; i < count; ++i)
+    sums.push_back(scatters[i].sum);
+  vectors.resize(count);
+  leastEigenvectors(sums.data(), count, vectors.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    const LeastEigenvector& v = vectors[i];
+    planes[i].reset();
+    if (v.clear)
+      planes[i] = FittedPlane{scatters[i].centre, {v.x, v.y, v.z}, v.share};
+    else if (const std::optional<Solution> solution = solve(scatters[i].matrix()))
+      planes[i] = FittedPlane{scatters[i].centre, solution->normal, solution->share};
+  }
+}
+
+std::optional<FittedPlane> fitPlane(const Scatter& scatter) {
+  std::optional<FittedPlane> plane;
+  fitPlanes(&scatter, 1, &plane);
+  return plane;
 }
 
 std::optional<FittedPlane> fitPlane(const Points& points, const std::vector<Index>& indices) {

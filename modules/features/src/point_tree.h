@@ -59,9 +59,9 @@ public:
         });
   }
 
-  /// Calls visit(first, end) for the leaves, in their order, that together hold all points with squared distance of at most \a limit.
+  /// Calls visit(first, end) for the leaves, in their order, that together hold all points with squared distance from the box of at most \a limit.
   template <typename Visit>
-  void visitLeaves(std::size_t points, const Vector3& query, double limit, const Visit& visit) const;
+  void visitLeaves(std::size_t points, const Bounds& box, double limit, const Visit& visit) const;
 
 private:
   static constexpr std::size_t FAN = 8;
@@ -77,10 +77,11 @@ private:
       high = high.cwiseMax(other.high);
       least_index = std::min(least_index, other.least_index);
     }
-    double squaredDistance(const Vector3& q) const {
+    double squaredDistance(const Vector3& q) const { return squaredDistance(Bounds{q, q}); }
+    double squaredDistance(const Bounds& box) const {
       // The order of operations of a point's distance, so that rounding never puts the box behind a
       // point in it.
-      const Vector3 d = (low - q).cwiseMax(q - high).cwiseMax(0.0);
+      const Vector3 d = (low - box.high).cwiseMax(box.low - high).cwiseMax(0.0);
       return d.x() * d.x() + d.y() * d.y() + d.z() * d.z();
     }
   };
@@ -103,7 +104,7 @@ private:
 };
 
 template <typename Visit>
-void PointTree::visitLeaves(std::size_t points, const Vector3& query, double limit, const Visit& visit) const {
+void PointTree::visitLeaves(std::size_t points, const Bounds& box, double limit, const Visit& visit) const {
   if (levels_.empty())
     return;
   struct Place {
@@ -121,7 +122,7 @@ void PointTree::visitLeaves(std::size_t points, const Vector3& query, double lim
     }
     const std::vector<Node>& children = levels_[place.level - 1];
     for (std::size_t c = std::min(children.size(), begin + FAN); c-- > begin;)
-      if (children[c].squaredDistance(query) <= limit)
+      if (children[c].squaredDistance(box) <= limit)
         stack[top++] = {place.level - 1, c};
   }
 }

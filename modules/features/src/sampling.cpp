@@ -199,8 +199,17 @@ double robustDeviation(std::vector<double>& variances, double freedom) {
   return std::sqrt(quantile(variances, 0.5) / median_over_mean);
 }
 
+/// Whether the picks do not all lie on a line: it takes a few of them to see that they do not, all to see that they do.
+bool spreadInTwoDirections(const NeighborGrid& grid) {
+  constexpr std::size_t FEW = 1000;
+  std::vector<Index> few;
+  for (std::size_t i = 0; i < std::min(FEW, grid.size()); ++i)
+    few.push_back(sampledPick(grid, i, std::min(FEW, grid.size())));
+  return detail::fitPlane(grid.points(), few) || detail::fitPlane(grid.points(), grid.order());
+}
+
 void requireSurface(const NeighborGrid& grid) {
-  if (!detail::fitPlane(grid.points(), grid.order()))
+  if (!spreadInTwoDirections(grid))
     throw InvalidInputError("estimating the sampling of the picks",
                             "The picks are fewer than three distinct points or lie on one line; a "
                             "surface needs three that do not.");

@@ -3,6 +3,7 @@
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 #include "measured_normals.h"
+#include "neighborhood_batch.h"
 #include "neighborhood_grower.h"
 #include "plane_fit.h"
 
@@ -14,14 +15,26 @@ namespace {
 
 constexpr std::size_t GRAIN = 1024;
 
-TangentPlanes noPlanes(std::size_t count) {
+TangentPlanes noPlanes(std::size_t count, unsigned threads) {
   constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
   TangentPlanes planes;
-  planes.centres.assign(count, Vector3::Constant(NONE));
-  planes.normals.assign(count, Vector3::Constant(NONE));
-  planes.curvature.assign(count, static_cast<float>(NONE));
-  planes.reach.assign(count, static_cast<float>(NONE));
+  planes.centres.resize(count);
+  planes.normals.resize(count);
+  planes.curvature.resize(count);
+  planes.reach.resize(count);
+  parallelFor(count, 1 << 14, threads, [&](std::size_t i) {
+    planes.centres[i].setConstant(NONE);
+    planes.normals[i].setConstant(NONE);
+    planes.curvature[i] = planes.reach[i] = static_cast<float>(NONE);
+  });
   return planes;
+}
+
+void setPlane(const detail::FittedPlane& plane, double squared_reach, std::size_t i, TangentPlanes& planes) {
+  planes.centres[i] = plane.centre;
+  planes.normals[i] = plane.normal;
+  planes.curvature[i] = static_cast<float>(plane.curvature);
+  planes.reach[i] = static_cast<float>(std::sqrt(squared_reach));
 }
 
 /// Fits planes to neighbourhoods and mixes in what was measured.
@@ -50,39 +63,62 @@ public:
       plane = pulledPlane(scatter, neighbors, place, farthest);
     else if (neighbors.size() >= 3)
       plane = detail::fitPlane(scatter);
-    if (!plane)
-      return;
-    planes.centres[i] = plane->centre;
-    planes.normals[i] = plane->normal;
-    planes.curvature[i] = static_cast<float>(plane->curvature);
-    planes.reach[i] = static_cast<float>(std::sqrt(farthest));
+    if (plane)
+      setPlane(*plane, farthest, i, planes);
   }
 
 private:
   const Vector3& pointOf(Index i) const { return points_[static_cast<std::size_t>(i)]; }
 
   static detail::FittedPlane measuredPlane(const detail::Scatter& scatter, const Vector3& place, const Vector3& normal) {
-    const double all = scatter.sum.trace();
-    const double across = normal.dot(scatter.sum.selfadjointView<Eigen::Lower>() * normal);
+    const Eigen::Matrix3d spread = scatter.matrix();
+    const double all = spread.trace();
+    const double across = normal.dot(spread.selfadjointView<Eigen::Lower>() * normal);
     return {place, normal, all > 0.0 ? std::min(across / all, 1.0 / 3.0) : 0.0};
   }
 
   std::optional<detail::FittedPlane> pulledPlane(const detail::Scatter& scatter, const std::vector<Index>& neighbors, const Vector3& place,
                                                  double farthest) const {
+    const double all = scatter.matrix().trace();
     Eigen::Matrix3d pull = Eigen::Matrix3d::Zero();
     for (const Index n : neighbors) {
       if (!measured_.has(n))
         continue;
       const Vector3& m = measured_.of(n);
-      const double weight = weight_ * 0.5 * scatter.sum.trace() * (1.0 - (pointOf(n) - place).squaredNorm() / farthest);
+      const double weight = weight_ * 0.5 * all * (1.0 - (pointOf(n) - place).squaredNorm() / farthest);
       pull += weight * (Eigen::Matrix3d::Identity() - m * m.transpose()); // as -m m^T, but never negative
     }
-    return detail::fitPlane(scatter, &pull);
+    return detail::fitPlane(scatter, pull);
   }
 
   const Points& points_;
   const detail::MeasuredNormals& measured_;
   double weight_;
+};
+
+/// Fits planes to all the neighbourhoods of a batch that are simple.
+class BatchFitter {
+public:
+  void fit(const detail::NeighborhoodBatch& batch, const Points& points, const Index* picks, std::size_t count, std::size_t neighbors, TangentPlanes& planes) {
+    scatters_.clear();
+    numbers_.clear();
+    for (std::size_t n = 0; n < count; ++n) {
+      if (!batch.isSimple(n))
+        continue;
+      numbers_.push_back(static_cast<std::size_t>(picks[n]));
+      scatters_.push_back(detail::scatterOf(points[numbers_.back()], batch.moments(n), neighbors));
+    }
+    planes_.resize(scatters_.size());
+    detail::fitPlanes(scatters_.data(), scatters_.size(), planes_.data());
+    for (std::size_t n = 0; n < planes_.size(); ++n)
+      if (planes_[n])
+        setPlane(*planes_[n], scatters_[n].farthest, numbers_[n], planes);
+  }
+
+private:
+  std::vector<detail::Scatter> scatters_;
+  std::vector<std::size_t> numbers_;
+  std::vector<std::optional<detail::FittedPlane>> planes_;
 };
 
 void check(const NeighborGrid& grid, const TangentPlaneOptions& options) {
@@ -119,16 +155,25 @@ TangentPlanes estimateTangentPlanes(const NeighborGrid& grid, const FaultNetwork
   check(grid, options);
   const detail::MeasuredNormals measured(grid, options.measured);
   const PlaneFitter fitter(grid.points(), measured, options.measured_weight);
-  TangentPlanes planes = noPlanes(grid.points().size());
+  TangentPlanes planes = noPlanes(grid.points().size(), options.threads);
   planes.measured = measured.picks();
   const std::vector<Index>& order = grid.order();
   parallelBlocks(order.size(), GRAIN, options.threads, [&](std::size_t begin, std::size_t end) {
     detail::NeighborhoodGrower grower(grid, faults, options);
+    detail::NeighborhoodBatch batch(grid, faults, measured, options);
+    BatchFitter batch_fitter;
     std::vector<Index> neighbors;
-    for (std::size_t i = begin; i < end; ++i) {
-      grower.grow(order[i], neighbors);
-      const auto pick = static_cast<std::size_t>(order[i]);
-      fitter.fit(neighbors, grid.points()[pick], pick, planes);
+    for (std::size_t first = begin, count = 0; first < end; first += count) {
+      const Index* picks = order.data() + first;
+      count = batch.extent(picks, end - first);
+      batch.find(picks, count);
+      batch_fitter.fit(batch, grid.points(), picks, count, options.neighbors, planes);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (batch.isSimple(i))
+          continue;
+        grower.grow(picks[i], neighbors);
+        fitter.fit(neighbors, grid.points()[static_cast<std::size_t>(picks[i])], static_cast<std::size_t>(picks[i]), planes);
+      }
     }
   });
   return planes;
@@ -139,7 +184,7 @@ TangentPlanes estimateTangentPlanesAt(const NeighborGrid& grid, const FaultNetwo
   check(grid, options);
   const detail::MeasuredNormals measured(grid, options.measured);
   const PlaneFitter fitter(grid.points(), measured, options.measured_weight);
-  TangentPlanes planes = noPlanes(places.size());
+  TangentPlanes planes = noPlanes(places.size(), options.threads);
   for (std::size_t i = 0; i < places.size() && !measured.empty(); ++i) {
     const Neighbor nearest = grid.nearestOne(places[i], 0.0);
     if (nearest.index >= 0 && measured.has(nearest.index))

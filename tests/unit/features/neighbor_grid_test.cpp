@@ -53,6 +53,24 @@ std::vector<Neighbor> collected(const NeighborGrid& grid, const Vector3& query, 
 
 /// All kinds of queries about some points of the cloud and some off it, against a search through
 /// all points.
+/// Runs around a box hold every point near it once.
+void checkRunsAroundBox(const NeighborGrid& grid, const Vector3& corner, double length) {
+  Bounds box;
+  box.extend(corner);
+  box.extend(corner + Vector3(length, 2.0 * length, 0.5 * length));
+  std::vector<PointRun> runs;
+  grid.runsAround(box, length, runs);
+  std::vector<int> times(grid.points().size(), 0);
+  for (const PointRun& run : runs)
+    for (std::size_t i = 0; i < run.count; ++i)
+      ++times[static_cast<std::size_t>(run.index(i))];
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const Vector3& p = grid.points()[i];
+    const bool near = p.allFinite() && (box.low - p).cwiseMax(p - box.high).cwiseMax(0.0).norm() <= length;
+    ASSERT_TRUE(times[i] == 1 || (times[i] == 0 && !near)) << "point " << i;
+  }
+}
+
 void checkAgainstBruteForce(const NeighborGrid& grid, double length) {
   constexpr std::size_t ALL = std::numeric_limits<std::size_t>::max();
   constexpr double ANYWHERE = std::numeric_limits<double>::infinity();
@@ -74,6 +92,7 @@ void checkAgainstBruteForce(const NeighborGrid& grid, double length) {
     grid.within(query, 2.0 * length, found);
     ASSERT_NO_FATAL_FAILURE(expectSame(found, bruteForce(points, query, ALL, 2.0 * length)));
     ASSERT_NO_FATAL_FAILURE(expectSame(collected(grid, query, 2.0 * length), found));
+    ASSERT_NO_FATAL_FAILURE(checkRunsAroundBox(grid, query, length));
     for (const double max_distance : {ANYWHERE, length}) {
       const Neighbor one = grid.nearestOne(query, max_distance);
       const std::vector<Neighbor> expected = bruteForce(points, query, 1, max_distance);

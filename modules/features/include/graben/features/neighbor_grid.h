@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/core/types.h"
+#include "graben/mesh/bounds.h"
 
 #include <limits>
 #include <memory>
@@ -84,6 +85,9 @@ public:
   /// The runs and their order depend on the points and the query alone. Compare distances with <=, so that points that are not finite fall
   /// out. \param[out] runs is overwritten and keeps its capacity
   void runsAround(const Vector3& query, double radius, std::vector<PointRun>& runs) const;
+
+  /// The same for every point within \a radius of a box: for queries at many places in it at once. A box that is empty or not finite has none.
+  void runsAround(const Bounds& box, double radius, std::vector<PointRun>& runs) const;
 
   /// All points within \a radius (inclusive) in the order of runsAround(), not sorted; \a out is overwritten and keeps its capacity. The
   /// distances are those of within() to the bit.

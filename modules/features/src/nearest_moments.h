@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace graben::detail {
+
+/// Sums over vectors d from a place to points.
+struct Moments {
+  double x = 0.0, y = 0.0, z = 0.0;                                  ///< of d
+  double xx = 0.0, yx = 0.0, zx = 0.0, yy = 0.0, zy = 0.0, zz = 0.0; ///< of d d^T
+  double farthest = 0.0;                                             ///< largest |d|^2
+};
+
+/// Vectors, one array for each component.
+struct VectorArrays {
+  std::vector<double> x, y, z;
+  void makeRoomFor(std::size_t count);
+
+  /// The moments of the first \a count vectors; their bits depend on the vectors' order.
+  Moments moments(std::size_t count);
+};
+
+/// Points near each other, with working memory for searches among them; kept from search to search.
+class NearbyPoints {
+public:
+  void clear() { count_ = 0; }
+  void add(double x, double y, double z) {
+    if (count_ == capacity_)
+      grow();
+    points_.x[count_] = x;
+    points_.y[count_] = y;
+    points_.z[count_] = z;
+    ++count_;
+  }
+
+  /// Finds the \a wanted nearest points to a place (x, y, z), among equally far ones those added first; points at the very place do not count.
+  /// False, with nothing found, if fewer are within \a squared_radius.
+  bool findNearest(const double* place, std::size_t wanted, double squared_radius);
+
+  std::size_t foundCount() const { return found_; }
+  /// The number of one of those found, which follow each other as they were added.
+  std::size_t found(std::size_t i) const { return numbers_[i]; }
+  /// Of the points found about the place.
+  Moments foundMoments(const double* place);
+
+private:
+  void grow();
+  std::size_t findWithin(const double* place, double squared_radius);
+  void keepUpTo(double threshold, std::size_t within);
+  void keepFirstUpTo(double threshold, std::size_t within);
+
+  std::size_t count_ = 0, capacity_ = 0, found_ = 0;
+  VectorArrays points_, vectors_;
+  std::vector<double> distance_;       ///< of each point, squared; infinite for one at the very place
+  std::vector<double> near_;           ///< of the points within the radius
+  std::vector<std::uint32_t> numbers_; ///< of those points, then of those found
+  std::vector<double> ranked_;
+};
+
+} // namespace graben::detail

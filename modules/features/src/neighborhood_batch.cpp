@@ -1,0 +1,178 @@
+#include "neighborhood_batch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+namespace graben::detail {
+namespace {
+
+constexpr std::size_t MOST_PICKS = 64;
+constexpr double WIDTH = 4.0;    // of the picks' box, in cells     // of the picks' box, in cells
+constexpr double MARGIN = 1.12;   // of the radius over the neighbourhoods of the picks before
+constexpr double WIDER = 1.4;     // where it was too small
+constexpr int ATTEMPTS = 3;
+constexpr std::size_t MOST_AROUND = 48; // points around for each neighbour wanted: far more than on any surface
+
+double noneIfZero(double limit) {
+  return limit > 0.0 ? limit : std::numeric_limits<double>::infinity();
+}
+
+std::size_t hashOf(const Vector3& p) {
+  std::array<double, 3> place = {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}; // -0 is where 0 is
+  std::array<std::uint64_t, 3> bits{};
+  std::memcpy(bits.data(), place.data(), sizeof bits);
+  const std::uint64_t hash = (bits[0] ^ bits[1] * 0xc2b2ae3d27d4eb4fULL ^ bits[2] * 0x165667b19e3779f9ULL) * 0x9e3779b97f4a7c15ULL;
+  return static_cast<std::size_t>(hash >> 32);
+}
+
+} // namespace
+
+NeighborhoodBatch::NeighborhoodBatch(const NeighborGrid& grid, const FaultNetwork& faults, const MeasuredNormals& measured,
+                                     const TangentPlaneOptions& options)
+    : grid_(grid)
+    , points_(grid.points())
+    , faults_(faults)
+    , measured_(measured)
+    , wanted_(options.neighbors - 1)
+    , squared_step_(std::pow(noneIfZero(options.rho_plus_delta), 2.0))
+    , max_distance_(noneIfZero(options.max_distance)) {}
+
+std::size_t NeighborhoodBatch::extent(const Index* picks, std::size_t count) const {
+  const double width = WIDTH * grid_.cellSize();
+  Bounds box;
+  std::size_t taken = 0;
+  for (; taken < std::min(count, MOST_PICKS); ++taken) {
+    box.extend(pointOf(picks[taken]));
+    if (taken > 0 && box.size().maxCoeff() > width)
+      break;
+  }
+  return taken;
+}
+
+void NeighborhoodBatch::find(const Index* picks, std::size_t count) {
+  simple_.assign(count, false);
+  moments_.resize(count);
+  open_.clear();
+  for (std::size_t i = 0; i < count; ++i)
+    open_.push_back(i);
+  if (radius_ == 0.0) {
+    std::vector<Neighbor> nearest;
+    grid_.nearest(pointOf(picks[0]), wanted_ + 1, nearest);
+    radius_ = MARGIN * std::sqrt(nearest.back().squared_distance);
+  }
+  for (int attempt = 0; attempt < ATTEMPTS && !open_.empty(); ++attempt) {
+    radius_ = std::min(radius_, max_distance_);
+    Bounds box;
+    for (const std::size_t i : open_)
+      box.extend(pointOf(picks[i]));
+    if (!gather(box))
+      return;
+    search(picks);
+    if (open_.empty() || radius_ == max_distance_)
+      break;
+    radius_ *= WIDER;
+  }
+  double reach = 0.0;
+  for (std::size_t i = 0; i < count; ++i)
+    reach = simple_[i] ? std::max(reach, moments_[i].farthest) : reach;
+  if (reach > 0.0)
+    radius_ = MARGIN * std::sqrt(reach);
+}
+
+/// Sets the different points within the radius of the box; false if they are too many or one of them has a measured normal.
+bool NeighborhoodBatch::gather(const Bounds& box) {
+  grid_.runsAround(box, radius_, runs_);
+  if (grid_.inOrder())
+    std::sort(runs_.begin(), runs_.end(), [](const PointRun& a, const PointRun& b) { return a.first < b.first; });
+  std::size_t most = 0;
+  for (const PointRun& run : runs_)
+    most += run.count;
+  if (most > MOST_AROUND * (wanted_ + MOST_PICKS))
+    return false;
+  around_.resize(most);
+  const double limit = radius_ * radius_;
+  std::size_t count = 0;
+  for (const PointRun& run : runs_)
+    for (std::size_t i = 0; i < run.count; ++i) {
+      const Vector3 d = (box.low - run.points[i]).cwiseMax(run.points[i] - box.high).cwiseMax(0.0);
+      around_[count] = run.index(i);
+      count += d.x() * d.x() + d.y() * d.y() + d.z() * d.z() <= limit ? 1 : 0;
+    }
+  around_.resize(count);
+  if (!grid_.inOrder())
+    std::sort(around_.begin(), around_.end());
+  Bounds reached = box;
+  reached.low.array() -= radius_;
+  reached.high.array() += radius_;
+  near_fault_ = !faults_.empty() && faults_.mayTouch(reached);
+  return addDistinct();
+}
+
+/// Of points at one place the first alone.
+bool NeighborhoodBatch::addDistinct() {
+  std::size_t slots = 64;
+  while (slots < 2 * around_.size())
+    slots *= 2;
+  places_.assign(slots, 0);
+  nearby_.clear();
+  distinct_.clear();
+  for (std::size_t i = 0; i < around_.size(); ++i) {
+    if (measured_.has(around_[i]))
+      return false;
+    const Vector3& p = pointOf(around_[i]);
+    std::size_t slot = hashOf(p) & (slots - 1);
+    while (places_[slot] != 0 && pointOf(around_[places_[slot] - 1]) != p)
+      slot = (slot + 1) & (slots - 1);
+    if (places_[slot] != 0)
+      continue;
+    places_[slot] = static_cast<std::uint32_t>(i + 1);
+    nearby_.add(p.x(), p.y(), p.z());
+    distinct_.push_back(around_[i]);
+  }
+  return true;
+}
+
+/// Leaves in open_ the picks that have too few points within the radius.
+void NeighborhoodBatch::search(const Index* picks) {
+  const double limit = radius_ * radius_;
+  std::size_t left = 0;
+  for (const std::size_t i : open_) {
+    const Vector3& pick = pointOf(picks[i]);
+    if (!nearby_.findNearest(pick.data(), wanted_, limit)) {
+      open_[left++] = i;
+      continue;
+    }
+    moments_[i] = nearby_.foundMoments(pick.data());
+    const double reach = moments_[i].farthest;
+    simple_[i] = (reach < squared_step_ || allJoin(pick)) && !(near_fault_ && crossesFault(pick, reach));
+  }
+  open_.resize(left);
+}
+
+/// Whether each of the points found that is farther than a step is a step from one that is not, and so surely joins in its turn.
+bool NeighborhoodBatch::allJoin(const Vector3& pick) {
+  joined_.clear();
+  beyond_.clear();
+  for (std::size_t i = 0; i < nearby_.foundCount(); ++i) {
+    const Vector3& q = pointOf(distinct_[nearby_.found(i)]);
+    ((q - pick).squaredNorm() < squared_step_ ? joined_ : beyond_).push_back(q);
+  }
+  return std::all_of(beyond_.begin(), beyond_.end(), [this](const Vector3& q) {
+    return std::any_of(joined_.begin(), joined_.end(), [&](const Vector3& n) { return (n - q).squaredNorm() < squared_step_; });
+  });
+}
+
+/// Whether a fault lies between a pick and one of the points found for it.
+bool NeighborhoodBatch::crossesFault(const Vector3& pick, double squared_reach) const {
+  const Vector3 reach = Vector3::Constant(std::sqrt(squared_reach));
+  if (!faults_.mayTouch(Bounds{pick - reach, pick + reach}))
+    return false;
+  for (std::size_t i = 0; i < nearby_.foundCount(); ++i)
+    if (faults_.crosses(pick, pointOf(distinct_[nearby_.found(i)])))
+      return true;
+  return false;
+}
+
+} // namespace graben::detail
