@@ -1,6 +1,7 @@
 #include "graben/surface/local_fit.h"
 
 #include "box_around.h"
+#include "fit_rules.h"
 #include "local_faults.h"
 #include "normal_equations.h"
 #include "support_kernels.h"
@@ -20,9 +21,6 @@ constexpr double kNormalLimit = 0.34; // cosine of 70 degrees
 constexpr double kPi = 3.14159265358979;
 constexpr double kMore = 1.2;        // share of picks collected over those wanted
 constexpr std::size_t kExactBelow = 45; // picks wanted up to which the disc is made to hold just these
-constexpr double kRidge = 1e-6;      // weight that keeps all coefficients but the height down, as a share of all picks'
-constexpr int kSpareEquations = 3;   // more than coefficients
-constexpr double kSuspect = 5.5;     // largest residual over the mean one that calls for a closer look; Gaussian noise stays below
 constexpr double kBlunder = 7.0;     // residual over the median one, 4.7 standard deviations of Gaussian noise
 constexpr int kBlunderRounds = 3;
 
@@ -137,10 +135,10 @@ struct LocalFit::Support {
   }
 
   /// Takes the weight from picks that lie off the polynomial as none of the others does. \return whether there were any
-  bool dropBlunders(const std::array<double, 10>& coefficients) {
+  bool dropBlunders(const std::array<double, 10>& coefficients, int degree) {
     const detail::Misfit misfit =
       detail::misfit({s.scaled_u.data(), s.scaled_v.data(), s.weight.data()}, s.height.data(), even, coefficients.data(), s.residual.data());
-    if (misfit.largest < kSuspect * misfit.sum / static_cast<double>(sum.used))
+    if (!detail::seemsToHaveBlunders(degree, sum.used, misfit.largest, misfit.sum))
       return false;
     s.spare.clear();
     for (std::size_t i = 0; i < s.count; ++i)
@@ -184,10 +182,8 @@ double LocalFit::solve(LocalSurface& surface, const LocalModel& model, Scratch& 
   std::size_t equation_count = support.sum.used;
   for (std::size_t i = 0; slopes && i < s.count; ++i)
     equation_count += s.weight[i] > 0.0 && measured_[static_cast<std::size_t>(s.index[i])] ? 2 : 0;
-  int degree = model.degree;
-  while (degree > 1 && static_cast<int>(equation_count) < detail::termsOf(degree) + kSpareEquations)
-    --degree;
-  if (equation_count < 4)
+  const int degree = detail::allowedDegree(model.degree, equation_count);
+  if (degree == 0)
     return 0.0;
   for (int round = 0;; ++round) {
     detail::NormalEquations equations(degree);
@@ -195,12 +191,11 @@ double LocalFit::solve(LocalSurface& surface, const LocalModel& model, Scratch& 
     if (slopes)
       addSlopes(surface, model.slope_weight, s, own, equations);
     for (int d = 1; d <= degree; ++d)
-      equations.addStiffness(d, kRidge * support.sum.total);
+      equations.addStiffness(d, detail::kRidge * support.sum.total);
     surface.valid = equations.solve(surface.coefficients);
     if (!surface.valid)
       return 0.0;
-    const bool enough = static_cast<int>(support.sum.used) > 2 * detail::termsOf(degree) + kSpareEquations;
-    if (round < kBlunderRounds && enough && support.dropBlunders(surface.coefficients))
+    if (round < kBlunderRounds && support.dropBlunders(surface.coefficients, degree))
       continue;
     for (std::size_t i = 0; own >= 0 && i < s.count; ++i)
       if (s.index[i] == own)

@@ -1,20 +1,21 @@
+#include "left_out_picks.h"
+
 #include "graben/core/threads.h"
-#include "graben/surface/local_fit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace graben {
 
 namespace {
 
-constexpr std::size_t kSample = 1500;
+constexpr std::size_t kSample = 600; // picks about which others are left out
 constexpr std::size_t kFewest = 20; // picks a choice can be made from
 constexpr std::size_t kFewestAtEdge = 100;
 constexpr double kOneSided = 0.3; // of its neighbourhood's radius: how far the centroid lies from a pick at the data's edge
-constexpr std::size_t kFirstLook = 400; // picks all models are tried on
+constexpr std::size_t kFirstLook = 200; // of these, on which all models are tried
 constexpr std::size_t kShortList = 6;   // models that are tried on all
 constexpr LocalModel kModels[] = {{1, 8},   {1, 12},  {1, 18},  {1, 27},  {1, 40}, {1, 60}, {1, 90}, {2, 14},  {2, 25},  {2, 40},  {2, 60},  {2, 90},
                                   {2, 140}, {2, 200}, {2, 300}, {3, 25}, {3, 40}, {3, 60}, {3, 90}, {3, 140}, {3, 200}, {3, 300}, {3, 400}};
@@ -43,7 +44,7 @@ void thin(std::vector<Index>& picks) {
 /// Up to kSample picks with a plane of each kind, evenly through the grid's order; those at the data's edge are among those away from faults too.
 Samples samplePicks(const LocalFit& fit, double zone_width, unsigned threads) {
   const std::vector<Index>& order = fit.grid().order();
-  const std::size_t step = std::max<std::size_t>(1, order.size() / (32 * kSample));
+  const std::size_t step = std::max<std::size_t>(1, order.size() / (64 * kSample));
   std::vector<std::int8_t> kinds((order.size() + step - 1) / step, -1);
   parallelFor(kinds.size(), 256, threads, [&](std::size_t i) {
     const auto p = static_cast<std::size_t>(order[i * step]);
@@ -64,95 +65,74 @@ Samples samplePicks(const LocalFit& fit, double zone_width, unsigned threads) {
   return samples;
 }
 
-/// Brings the picks gathered into the order of their distance.
-void sortByDistance(LocalFit::Scratch& s) {
-  std::vector<std::size_t> order(s.count);
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(), [&s](std::size_t a, std::size_t b) {
-    return s.squared[a] < s.squared[b] || (s.squared[a] == s.squared[b] && s.index[a] < s.index[b]);
-  });
-  const auto arrange = [&order](auto& values, auto& before) {
-    before.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(order.size()));
-    for (std::size_t i = 0; i < order.size(); ++i)
-      values[i] = before[order[i]];
-  };
-  for (std::vector<double>* values : {&s.u, &s.v, &s.height, &s.squared})
-    arrange(*values, s.spare);
-  std::vector<Index> before;
-  arrange(s.index, before);
-}
-
-/// Squared errors of predicting one pick, and its dip if that was measured, from the others with each model; -1 where it can't be done.
-void predict(const LocalFit& fit, Index pick, const std::vector<LocalModel>& models, LocalFit::Scratch& s, double* squared) {
-  std::fill_n(squared, models.size(), -1.0);
-  const auto p = static_cast<std::size_t>(pick);
-  // Neighbours are taken around the plane's centre: around the noisy pick itself those with the same noise would come first.
-  LocalSurface frame = frameAt(fit.planes().centres[p], fit.planes().normals[p]);
-  std::size_t most = 0;
-  for (const LocalModel& m : models)
-    most = std::max(most, m.neighbors);
-  if (!(fit.gather(frame, fit.grid().points()[p], most, s) > 0.0))
-    return;
-  sortByDistance(s);
-  const std::size_t all = s.count;
-  // What a model says of a measured dip counts as the height it would be off by half-way to the next pick.
-  const double slope_scale = fit.isMeasured(pick) ? fit.usualRadius(1) : 0.0;
-  for (std::size_t m = 0; m < models.size(); ++m) {
-    const std::size_t last = std::min(all, models[m].neighbors) - 1;
-    frame.radius = std::sqrt(LocalFit::kRim * s.squared[last]);
-    const auto end = s.squared.begin() + static_cast<std::ptrdiff_t>(all);
-    s.count = static_cast<std::size_t>(std::upper_bound(s.squared.begin(), end, frame.radius * frame.radius) - s.squared.begin());
-    const double leverage = fit.solve(frame, models[m], s, pick);
-    const LocalEstimate e = frame.from(fit.grid().points()[p], frame.normal);
-    if (e.valid && leverage < 0.999)
-      squared[m] = std::pow(e.offset / (1.0 - leverage), 2) + slope_scale * slope_scale * (e.normal - fit.planes().normals[p]).squaredNorm();
+/// Squared errors of predicting picks, model by model.
+class Errors {
+public:
+  Errors(const LocalFit& fit, const std::vector<Index>& picks, const std::vector<LocalModel>& models, unsigned threads)
+    : models_(models.size()), squared_(picks.size() * models.size() * kPerPlace) {
+    parallelBlocks(picks.size(), 16, threads, [&](std::size_t begin, std::size_t end) {
+      detail::LeftOutPicks left_out(fit, models);
+      for (std::size_t i = begin; i < end; ++i)
+        left_out.predict(picks[i], &squared_[i * models_ * kPerPlace]);
+    });
   }
-  s.count = all;
-}
 
-/// For each model the mean of the squared errors. One of more than kLargest standard deviations counts as just that: blunders, and picks on parts too thin
-/// for a tangent plane, must not outvote the others.
-std::vector<double> predictionErrors(const LocalFit& fit, const std::vector<Index>& picks, const std::vector<LocalModel>& models,
-                                     unsigned threads) {
-  std::vector<double> squared(picks.size() * models.size());
-  parallelBlocks(picks.size(), 16, threads, [&](std::size_t begin, std::size_t end) {
-    LocalFit::Scratch scratch;
-    for (std::size_t i = begin; i < end; ++i)
-      predict(fit, picks[i], models, scratch, &squared[i * models.size()]);
-  });
-  std::vector<double> errors;
-  std::vector<double> values;
-  for (std::size_t m = 0; m < models.size(); ++m) {
-    values.clear();
-    for (std::size_t i = m; i < squared.size(); i += models.size())
-      if (squared[i] >= 0.0)
-        values.push_back(squared[i]);
-    std::sort(values.begin(), values.end());
-    const double largest = values.empty() ? 0.0 : kLargest * kLargest / kUsualSquare * values[values.size() * 4 / 5];
-    double sum = 0.0;
-    for (const double value : values)
-      sum += std::min(value, largest);
-    errors.push_back(values.empty() ? std::numeric_limits<double>::infinity() : sum / static_cast<double>(values.size()));
+  void appendTo(std::vector<double>& values, std::size_t model) const {
+    for (std::size_t first = model * kPerPlace; first < squared_.size(); first += models_ * kPerPlace)
+      std::copy_if(squared_.begin() + static_cast<std::ptrdiff_t>(first), squared_.begin() + static_cast<std::ptrdiff_t>(first + kPerPlace),
+                   std::back_inserter(values), [](double squared) { return squared != detail::LeftOutPicks::kNone; });
   }
-  return errors;
+
+private:
+  static constexpr std::size_t kPerPlace = detail::LeftOutPicks::kPerPlace;
+
+  std::size_t models_;
+  std::vector<double> squared_;
+};
+
+/// One of more than kLargest standard deviations counts as just that: blunders, and picks on parts too thin for a tangent plane, must not outvote the
+/// others.
+double meanOf(std::vector<double> squared) {
+  if (squared.empty())
+    return std::numeric_limits<double>::infinity();
+  const auto usual = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() * 4 / 5);
+  std::nth_element(squared.begin(), usual, squared.end());
+  const double largest = kLargest * kLargest / kUsualSquare * *usual;
+  double sum = 0.0;
+  for (const double value : squared)
+    sum += std::min(value, largest);
+  return sum / static_cast<double>(squared.size());
 }
 
-/// The model of the list that predicts best, and the mean of its squared errors.
+/// The model of the list that predicts best, and the mean of its squared errors. All are tried on some of the picks, the best of them on the others too.
 std::pair<LocalModel, double> bestOf(const LocalFit& fit, const std::vector<Index>& picks, const std::vector<LocalModel>& models, unsigned threads) {
   const auto every = std::max<std::size_t>(1, picks.size() / kFirstLook);
-  std::vector<Index> few;
-  for (std::size_t i = 0; i < picks.size(); i += every)
-    few.push_back(picks[i]);
-  std::vector<double> errors = predictionErrors(fit, few, models, threads);
+  std::vector<Index> few, rest;
+  for (std::size_t i = 0; i < picks.size(); ++i)
+    (i % every == 0 ? few : rest).push_back(picks[i]);
+  const Errors first(fit, few, models, threads);
+  std::vector<std::vector<double>> squared(models.size());
+  std::vector<double> errors;
+  for (std::size_t m = 0; m < models.size(); ++m) {
+    first.appendTo(squared[m], m);
+    errors.push_back(meanOf(squared[m]));
+  }
   std::vector<std::size_t> rank(models.size());
   std::iota(rank.begin(), rank.end(), std::size_t(0));
   std::stable_sort(rank.begin(), rank.end(), [&errors](std::size_t a, std::size_t b) { return errors[a] < errors[b]; });
+  rank.resize(kShortList);
   std::vector<LocalModel> listed;
-  for (std::size_t i = 0; i < kShortList; ++i)
-    listed.push_back(models[rank[i]]);
-  errors = predictionErrors(fit, picks, listed, threads);
-  const auto least = std::min_element(errors.begin(), errors.end());
-  return {listed[static_cast<std::size_t>(least - errors.begin())], *least};
+  for (const std::size_t m : rank)
+    listed.push_back(models[m]);
+  const Errors second(fit, rest, listed, threads);
+  std::pair<LocalModel, double> best(listed.front(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    second.appendTo(squared[rank[i]], i);
+    const double error = meanOf(std::move(squared[rank[i]]));
+    if (error < best.second)
+      best = {listed[i], error};
+  }
+  return best;
 }
 
 LocalModel best(const LocalFit& fit, const std::vector<Index>& picks, unsigned threads, double& error) {
