@@ -25,6 +25,11 @@ public:
   /// The nodes that edges lead to, nearest first; found: working memory.
   void neighborsOf(Index node, std::vector<Neighbor>& found, std::vector<Index>& nodes) const;
 
+  enum class Around { Agree, Differ, TooMany };
+  /// Whether the normals of nodes [begin, end) and of all that their edges may lead to are so near to one line that no edge there contradicts
+  /// another. A bound: Differ or TooMany (looked at) says nothing. \param[out] nodes all of these nodes, if they agree; runs: working memory
+  Around lookAround(Index begin, Index end, std::vector<PointRun>& runs, std::vector<Index>& nodes) const;
+
 private:
   void dropCrossing(Index node, std::vector<Index>& nodes) const;
   Index nodeOf(Index pick) const { return in_order_ ? pick : position_[static_cast<std::size_t>(pick)]; }
@@ -37,6 +42,7 @@ private:
   std::size_t count_;
   std::size_t width_; ///< most edges that start at a node
   double longest_;
+  bool may_look_around_;
   std::vector<Index> position_; ///< of each pick in the grid's order; empty if the picks are in order
 };
 

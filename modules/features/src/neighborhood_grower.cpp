@@ -123,7 +123,7 @@ void NeighborhoodGrower::join(Candidate& candidate, std::vector<Index>& neighbor
   neighbors.push_back(candidate.index);
   const Vector3& q = points_[static_cast<std::size_t>(candidate.index)];
   for (Candidate& other : candidates_)
-    if (other.open)
+    if (other.open && other.squared_step >= squared_step_)
       other.squared_step = std::min(
           other.squared_step, (points_[static_cast<std::size_t>(other.index)] - q).squaredNorm());
 }

@@ -3,6 +3,7 @@
 #include "graben/core/threads.h"
 #include "radix_sort.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace graben::detail {
@@ -18,25 +19,78 @@ bool isWithin(Index node, std::size_t begin, std::size_t end) {
   return static_cast<std::size_t>(node) >= begin && static_cast<std::size_t>(node) < end;
 }
 
-/// Joins all edges, those between blocks last. Returns a node of each edge that contradicts others.
+/// Joins what edges join, those within a block of nodes at once and those to other blocks later.
+class BlockJoiner {
+public:
+  BlockJoiner(const NeighborGraph& graph, std::size_t begin, std::size_t end, SignedUnionFind& sets)
+      : graph_(graph)
+      , begin_(begin)
+      , end_(end)
+      , sets_(sets) {}
+
+  void join() {
+    for (std::size_t node = begin_; node < end_; node += GROUP)
+      joinGroup(static_cast<Index>(node), static_cast<Index>(std::min(end_, node + GROUP)));
+  }
+
+  std::vector<Edge> between;        ///< edges to other blocks
+  std::vector<Index> contradictory; ///< a node of each edge that contradicts others
+
+private:
+  static constexpr std::size_t GROUP = 256;
+  static constexpr Index SMALLEST_GROUP = 8;
+
+  void joinGroup(Index begin, Index end) {
+    const NeighborGraph::Around around = graph_.lookAround(begin, end, runs_, nodes_);
+    if (around == NeighborGraph::Around::Agree) {
+      const auto own = std::find_if(nodes_.begin(), nodes_.end(), [&](Index node) { return node >= begin && node < end; });
+      if (own != nodes_.end())
+        joinTo(*own);
+    } else if (around == NeighborGraph::Around::TooMany && end - begin > SMALLEST_GROUP) {
+      const Index middle = begin + (end - begin) / 2;
+      joinGroup(begin, middle);
+      joinGroup(middle, end);
+    } else {
+      for (Index node = begin; node < end; ++node) {
+        graph_.neighborsOf(node, found_, nodes_);
+        joinTo(node);
+      }
+    }
+  }
+
+  /// Joins the nodes listed to one of this block.
+  void joinTo(Index from) {
+    bool agrees = true;
+    for (const Index to : nodes_) {
+      if (to == from)
+        continue;
+      if (isWithin(to, begin_, end_))
+        agrees = sets_.join(from, to, graph_.against(from, to)) && agrees;
+      else
+        between.push_back({from, to});
+    }
+    if (!agrees)
+      contradictory.push_back(from);
+  }
+
+  const NeighborGraph& graph_;
+  std::size_t begin_, end_;
+  SignedUnionFind& sets_;
+  std::vector<PointRun> runs_;
+  std::vector<Neighbor> found_;
+  std::vector<Index> nodes_;
+};
+
+/// Joins all that edges join. Returns a node of each edge that contradicts others.
 std::vector<Index> joinAll(const NeighborGraph& graph, unsigned threads, SignedUnionFind& sets) {
   const std::size_t blocks = (graph.size() + BLOCK - 1) / BLOCK;
   std::vector<std::vector<Edge>> between(blocks);
   std::vector<std::vector<Index>> contradictory(blocks);
   parallelBlocks(graph.size(), BLOCK, threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<Neighbor> found;
-    std::vector<Index> neighbors;
-    for (auto node = static_cast<Index>(begin); node < static_cast<Index>(end); ++node) {
-      graph.neighborsOf(node, found, neighbors);
-      bool agrees = true;
-      for (const Index to : neighbors)
-        if (!isWithin(to, begin, end))
-          between[begin / BLOCK].push_back({node, to});
-        else
-          agrees = sets.join(node, to, graph.against(node, to)) && agrees;
-      if (!agrees)
-        contradictory[begin / BLOCK].push_back(node);
-    }
+    BlockJoiner joiner(graph, begin, end, sets);
+    joiner.join();
+    between[begin / BLOCK] = std::move(joiner.between);
+    contradictory[begin / BLOCK] = std::move(joiner.contradictory);
   });
   std::vector<Index> result;
   for (std::size_t block = 0; block < blocks; ++block) {

@@ -154,6 +154,33 @@ TEST(Orientation, WithoutComponentsTheSameAsTheTree) {
   expectSameWithoutComponents(test::sphere(3000, 100.0, Vector3::Zero()), planesOf(NeighborGrid(test::sphere(3000, 100.0, Vector3::Zero()))), options);
 }
 
+/// In the grid's order, as the pipeline has them.
+Points inOrder(const Points& points) {
+  Points ordered;
+  for (const Index i : spaceOrder(points))
+    ordered.push_back(points[static_cast<std::size_t>(i)]);
+  return ordered;
+}
+
+/// A flat box with rounded edges: smooth but for them, and so thin that picks of both faces lie within the longest edge of the graph.
+Points flatBox(std::size_t count) {
+  Points points = test::sphere(count, 1.0, Vector3::Zero());
+  for (Vector3& p : points) {
+    const double across = std::hypot(p.x(), p.y());
+    p = Vector3(400.0 * p.x(), 400.0 * p.y(), across > 0.9 ? 15.0 * p.z() / 0.436 : std::copysign(15.0, p.z()));
+  }
+  return points;
+}
+
+TEST(Orientation, GroupsOfPicksAreTurnedAsTheirEdgesSay) {
+  OrientationOptions options;
+  options.rho_plus_delta = 45.0;
+  for (const Points& points : {inOrder(test::sphere(30000, 500.0, Vector3(40.0, 7.0, 0.0))), inOrder(flatBox(30000))}) {
+    ASSERT_TRUE(NeighborGrid(points).inOrder());
+    expectSameWithoutComponents(points, planesOf(NeighborGrid(points), {}, options.rho_plus_delta), options);
+  }
+}
+
 TEST(Orientation, TheTreeDecidesWhereANeighbourPointsToTheOtherSide) {
   // A floor with a small roll in it, where normals lean over by 53, 106 and 53 degrees: turned up, that in the middle is against its neighbours.
   Points points, normals;

@@ -36,7 +36,9 @@ struct OrientationResult {
 /// graph is made, where each normal is within 45 degrees of up, or within 72 degrees and at less than 90 to those of all picks within
 /// rho + delta: on any horizon but one with overturned folds or wild normals.
 ///
-/// Elsewhere the graph's edges are joined in one parallel pass; the tree itself is made only in components where edges contradict each other
+/// Elsewhere the graph's edges are joined in one parallel pass (where the normals of all picks within rho + delta of a few dozen neighbouring
+/// ones are within 45 degrees of one line, these are joined with all of them; components so near to each other are then turned as one, unless
+/// they were asked for); the tree itself is made only in components where edges contradict each other
 /// (about 80 bytes a pick there, else 20).
 ///
 /// The same result for any number of threads; O(n k log n), where the up axis decides O(n). \param[in,out] normals one for each of the grid's points
