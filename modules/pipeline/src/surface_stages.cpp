@@ -152,7 +152,7 @@ std::vector<Index> ReconstructionJob::trianglesAgainstPicks() const {
 std::size_t ReconstructionJob::remove(const std::vector<Index>& triangles) {
   if (triangles.empty() || triangles.size() == cut_.mesh.triangles.size())
     return 0;
-  removeTriangles(cut_, triangles);
+  removeTriangles(cut_, triangles, options_.threads);
   result_.report.crumbs_removed += removeCrumbs(cut_, surface_defaults::kCrumb);
   return triangles.size();
 }

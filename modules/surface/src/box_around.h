@@ -12,4 +12,11 @@ inline Bounds boxAround(const Vector3& p, double radius) {
   return box;
 }
 
+/// A box made larger on every side.
+inline Bounds grown(Bounds box, double by) {
+  box.low.array() -= by;
+  box.high.array() += by;
+  return box;
+}
+
 } // namespace graben

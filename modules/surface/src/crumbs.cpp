@@ -74,7 +74,7 @@ std::vector<Index> turnedTriangles(const CutMesh& cut, bool at_border, unsigned 
   return at_border && !turned.empty() ? onBorder(mesh, turned) : turned;
 }
 
-void removeTriangles(CutMesh& cut, const std::vector<Index>& triangles) {
+void removeTriangles(CutMesh& cut, const std::vector<Index>& triangles, unsigned threads) {
   std::vector<Triangle>& all = cut.mesh.triangles;
   std::size_t kept = 0;
   auto next = triangles.begin();
@@ -87,7 +87,7 @@ void removeTriangles(CutMesh& cut, const std::vector<Index>& triangles) {
   all.resize(kept);
   CutState state;
   state.out = std::move(cut);
-  openCuts(state);
+  openCuts(state, threads);
   cut = std::move(state.out);
   removeUnreferencedVertices(cut);
 }

@@ -1,3 +1,4 @@
+#include "box_around.h"
 #include "cut_state.h"
 
 #include "graben/core/threads.h"
@@ -15,12 +16,10 @@ namespace {
 
 using Side = std::array<Index, 3>; ///< one entry per edge of a triangle; edge e runs from corner e to corner (e + 1) % 3
 
-Bounds boxOf(const TriangleMesh& mesh, const Triangle& t, double margin) {
+Bounds boxOf(const TriangleMesh& mesh, const Triangle& t) {
   Bounds box;
   for (const Index v : t)
     box.extend(mesh.vertices[static_cast<std::size_t>(v)]);
-  box.low.array() -= margin;
-  box.high.array() += margin;
   return box;
 }
 
@@ -65,11 +64,22 @@ private:
   };
 
   void findTriangles() {
+    constexpr std::size_t together = 64; // triangles that follow each other mostly lie together
+    const TriangleBvh& fault = faults_.bvh(fault_);
     std::vector<std::uint8_t> near(mesh_.triangles.size(), 0);
-    const Bounds& reach = faults_.bvh(fault_).bounds();
-    parallelFor(near.size(), 4096, threads_, [&](std::size_t t) {
-      const Bounds box = boxOf(mesh_, mesh_.triangles[t], tolerance_);
-      near[t] = reach.overlaps(box) && faults_.bvh(fault_).mayTouch(box) ? 1 : 0;
+    parallelBlocks(near.size(), 64 * together, threads_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t first = begin; first < end; first += together) {
+        const std::size_t last = std::min(first + together, end);
+        Bounds all;
+        for (std::size_t t = first; t < last; ++t)
+          for (const Index v : mesh_.triangles[t])
+            all.extend(mesh_.vertices[static_cast<std::size_t>(v)]);
+        const auto mayTouch = [&](const Bounds& box) { return fault.bounds().overlaps(box) && fault.mayTouch(box); };
+        if (!mayTouch(grown(all, tolerance_)))
+          continue;
+        for (std::size_t t = first; t < last; ++t)
+          near[t] = mayTouch(grown(boxOf(mesh_, mesh_.triangles[t]), tolerance_)) ? 1 : 0;
+      }
     });
     for (std::size_t t = 0; t < near.size(); ++t)
       if (near[t] != 0)

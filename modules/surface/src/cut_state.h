@@ -18,13 +18,14 @@ struct CutState {
     const auto high = static_cast<std::uint64_t>(std::max(a, b));
     return (low << 32) | high;
   }
-  bool isCut(Index a, Index b) const { return cuts.count(edge(a, b)) != 0; }
+  /// Cuts run from vertex to vertex on faults.
+  bool isCut(Index a, Index b) const { return !cuts.empty() && out.onFault(a) && out.onFault(b) && cuts.count(edge(a, b)) != 0; }
 };
 
 /// Cuts along one fault.
 void cutAlongFault(CutState& state, const class FaultNetwork& faults, std::size_t fault, double tolerance, unsigned threads);
 
 /// Gives each side of the marked edges its own vertices; also separates fans of triangles that share a vertex only.
-void openCuts(CutState& state);
+void openCuts(CutState& state, unsigned threads);
 
 } // namespace graben

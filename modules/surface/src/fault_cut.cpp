@@ -61,14 +61,15 @@ void trim(CutState& state, const std::vector<Points>& homes, const FaultNetwork&
   state.home.resize(kept);
 }
 
-CutState cutAll(const TriangleMesh& mesh, const FaultNetwork& faults, double tolerance, unsigned threads, std::vector<Index> home) {
-  validate(mesh, "cutting along the faults");
+CutState cutAll(TriangleMesh mesh, const FaultNetwork& faults, const FaultCutOptions& options, std::vector<Index> home) {
+  validate(mesh, "cutting along the faults", options.threads);
+  const double tolerance = toleranceOf(mesh, options);
   CutState state;
-  state.out.mesh = mesh;
   state.out.vertex_faults.assign(mesh.vertices.size(), {-1, -1});
+  state.out.mesh = std::move(mesh);
   state.home = std::move(home);
   for (std::size_t f = 0; f < faults.size(); ++f)
-    cutAlongFault(state, faults, f, tolerance, threads);
+    cutAlongFault(state, faults, f, tolerance, options.threads);
   return state;
 }
 
@@ -88,15 +89,15 @@ void removeUnreferencedVertices(CutMesh& cut) {
 }
 
 CutMesh cutAlongFaults(const TriangleMesh& mesh, const FaultNetwork& faults, const FaultCutOptions& options) {
-  CutState state = cutAll(mesh, faults, toleranceOf(mesh, options), options.threads, {});
-  openCuts(state);
+  CutState state = cutAll(mesh, faults, options, {});
+  openCuts(state, options.threads);
   return std::move(state.out);
 }
 
-CutMesh cutSheets(const SheetMesh& sheets, const FaultNetwork& faults, const FaultCutOptions& options) {
-  CutState state = cutAll(sheets.mesh, faults, toleranceOf(sheets.mesh, options), options.threads, sheets.home);
+CutMesh cutSheets(SheetMesh sheets, const FaultNetwork& faults, const FaultCutOptions& options) {
+  CutState state = cutAll(std::move(sheets.mesh), faults, options, std::move(sheets.home));
   trim(state, sheets.homes, faults, options.threads);
-  openCuts(state);
+  openCuts(state, options.threads);
   removeUnreferencedVertices(state.out);
   return std::move(state.out);
 }

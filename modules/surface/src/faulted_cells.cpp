@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace graben {
 
@@ -97,53 +98,94 @@ private:
 } // namespace
 
 void FaultedCells::findCrossings(const std::vector<LatticeIndex>& cells) {
-  std::vector<EdgeKey> keys;
   for (const LatticeIndex& cell : cells)
     for (std::size_t e = 0; e < 12; ++e)
-      keys.push_back(edgeKey(cell + cube::kCorner[static_cast<std::size_t>(cube::kEdgeLow[e])], cube::kEdgeAxis[e]));
-  fillCrossings(keys);
+      want(cell + cube::kCorner[static_cast<std::size_t>(cube::kEdgeLow[e])], static_cast<std::size_t>(cube::kEdgeAxis[e]));
+  findWanted();
 
   // Whether a corner seen through a fault lies beside a tip depends on all cells around it.
-  keys.clear();
   for (const LatticeIndex& cell : cells) {
-    const auto crossed = crossings(cell);
-    if (std::all_of(crossed.begin(), crossed.end(), [](std::uint64_t s) { return s == 0; }))
+    if (!isCrossed(cell))
       continue;
     for (int i = -1; i <= 2; ++i)
       for (int j = -1; j <= 2; ++j)
         for (int k = -1; k <= 2; ++k)
-          for (int axis = 0; axis < 3; ++axis)
+          for (std::size_t axis = 0; axis < 3; ++axis)
             if ((axis == 0 ? i : axis == 1 ? j : k) < 2)
-              keys.push_back(edgeKey(cell + LatticeIndex{i, j, k}, axis));
+              want(cell + LatticeIndex{i, j, k}, axis);
   }
-  fillCrossings(keys);
+  findWanted();
 }
 
-void FaultedCells::fillCrossings(std::vector<EdgeKey>& keys) {
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  keys.erase(std::remove_if(keys.begin(), keys.end(), [this](EdgeKey k) { return crossing_.count(k) != 0; }), keys.end());
-  std::vector<std::uint64_t> signature(keys.size());
-  parallelFor(keys.size(), 256, threads_, [&](std::size_t i) {
-    const LatticeIndex low = latticeIndexOf(keys[i] >> 2);
-    const LatticeIndex high = low + axisStep(static_cast<int>(keys[i] & 3));
-    signature[i] = faultSignature(faults_, lattice_.position(low), lattice_.position(high));
+std::size_t FaultedCells::makeBlock(const LatticeIndex& at) {
+  if (last_made_ < blocks_.size() && blocks_[last_made_].at == at)
+    return last_made_;
+  const auto [entry, added] = block_.try_emplace(latticeKey(at), blocks_.size());
+  if (added) {
+    blocks_.emplace_back();
+    blocks_.back().at = at;
+  }
+  return last_made_ = entry->second;
+}
+
+void FaultedCells::want(const LatticeIndex& low, std::size_t axis) {
+  const std::size_t b = makeBlock(block::blockOf(low));
+  EdgeBlock& of = blocks_[b];
+  const BlockMask edge = block::bit(block::slotOf(low));
+  if (((of.asked[axis] | of.wanted[axis]) & edge) != 0)
+    return;
+  if ((of.wanted[0] | of.wanted[1] | of.wanted[2]) == 0)
+    wanted_.push_back(b);
+  of.wanted[axis] |= edge;
+}
+
+void FaultedCells::findWanted() {
+  std::vector<std::vector<std::pair<EdgeKey, std::uint64_t>>> found(wanted_.size());
+  parallelFor(wanted_.size(), 8, threads_, [&](std::size_t i) {
+    const EdgeBlock& of = blocks_[wanted_[i]];
+    for (int axis = 0; axis < 3; ++axis)
+      for (BlockMask rest = of.wanted[static_cast<std::size_t>(axis)]; rest != 0; rest &= rest - 1) {
+        const LatticeIndex low = block::vertexOf(of.at, block::lowest(rest));
+        const std::uint64_t signature = faultSignature(faults_, lattice_.position(low), lattice_.position(low + axisStep(axis)));
+        if (signature != 0)
+          found[i].emplace_back(edgeKey(low, axis), signature);
+      }
   });
-  for (std::size_t i = 0; i < keys.size(); ++i)
-    crossing_.emplace(keys[i], signature[i]);
+  for (const std::size_t b : wanted_)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      blocks_[b].asked[axis] |= std::exchange(blocks_[b].wanted[axis], 0);
+  for (std::size_t i = 0; i < wanted_.size(); ++i)
+    for (const auto& [key, signature] : found[i]) {
+      const LatticeIndex low = latticeIndexOf(key >> 2);
+      const auto axis = static_cast<std::size_t>(key & 3);
+      blocks_[wanted_[i]].crossed[axis] |= block::bit(block::slotOf(low));
+      crossing_.emplace(key, signature);
+      for (const LatticeIndex& corner : cube::kCorner) // the cells around the edge
+        if ((axis == 0 ? corner.i : axis == 1 ? corner.j : corner.k) == 0) {
+          const LatticeIndex cell = low - corner;
+          const std::size_t b = makeBlock(block::blockOf(cell));
+          blocks_[b].cells |= block::bit(block::slotOf(cell));
+        }
+    }
+  wanted_.clear();
+}
+
+/// Whether some edge of a cell is crossed, of those looked at.
+bool FaultedCells::isCrossed(const LatticeIndex& cell) const {
+  const auto found = block_.find(latticeKey(block::blockOf(cell)));
+  return found != block_.end() && (blocks_[found->second].cells & block::bit(block::slotOf(cell))) != 0;
 }
 
 std::array<std::uint64_t, 12> FaultedCells::crossings(const LatticeIndex& cell) const {
   std::array<std::uint64_t, 12> crossed{};
   for (std::size_t e = 0; e < 12; ++e) {
-    const LatticeIndex low = cell + cube::kCorner[static_cast<std::size_t>(cube::kEdgeLow[e])];
-    const auto found = crossing_.find(edgeKey(low, cube::kEdgeAxis[e]));
+    const auto found = crossing_.find(edgeKey(cell + cube::kCorner[static_cast<std::size_t>(cube::kEdgeLow[e])], cube::kEdgeAxis[e]));
     crossed[e] = found == crossing_.end() ? 0 : found->second;
   }
   return crossed;
 }
 
-/// Only for cells all of whose edges have been looked at.
+/// Only for cells with a crossed edge, all of whose edges have been looked at.
 const FaultedCells::Division& FaultedCells::divisionOf(const LatticeIndex& cell) const {
   const auto [entry, added] = division_.try_emplace(latticeKey(cell));
   if (added) {
@@ -156,6 +198,11 @@ const FaultedCells::Division& FaultedCells::divisionOf(const LatticeIndex& cell)
 /// True if what lies between the two sides ends in a cell around the vertex: some edge there is crossed and yet its ends are joined round the end.
 bool FaultedCells::nearTip(const LatticeIndex& vertex, std::uint64_t signature) const {
   for (const LatticeIndex& corner : cube::kCorner) {
+    if (!isCrossed(vertex - corner)) {
+      if (signature == 0)
+        return true;
+      continue;
+    }
     const auto& [crossed, groups] = divisionOf(vertex - corner);
     for (std::size_t e = 0; e < 12; ++e)
       if (crossed[e] == signature &&
@@ -167,8 +214,9 @@ bool FaultedCells::nearTip(const LatticeIndex& vertex, std::uint64_t signature) 
 
 std::vector<CellCopy> FaultedCells::copies(const LatticeIndex& cell) {
   std::vector<CellCopy> result;
-  const auto crossed = crossings(cell);
-  const auto groups = cornerGroups(crossed);
+  if (!isCrossed(cell))
+    return result;
+  const auto& [crossed, groups] = divisionOf(cell);
   if (std::all_of(groups.begin(), groups.end(), [](int g) { return g == 0; }))
     return result;
   for (int group = 0; group < 8; ++group) {
@@ -196,6 +244,8 @@ LatticeIndex FaultedCells::seedOf(const LatticeIndex& ghost, const LatticeIndex&
   bool several_faults = false;
   for (std::size_t c = 0; c < 8; ++c) {
     const LatticeIndex cell = ghost - cube::kCorner[c];
+    if (!isCrossed(cell))
+      continue;
     const auto& [crossed, groups] = divisionOf(cell);
     for (const std::uint64_t signature : crossed) {
       several_faults = several_faults || (signature != 0 && only != 0 && signature != only);

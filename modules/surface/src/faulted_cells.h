@@ -1,5 +1,7 @@
 #pragma once
 
+#include "lattice_blocks.h"
+
 #include "graben/surface/sheet_extraction.h"
 
 #include <unordered_map>
@@ -50,7 +52,19 @@ private:
     std::array<int, 8> groups{};
   };
 
-  void fillCrossings(std::vector<EdgeKey>& keys);
+  /// A block of the lattice with edges that were looked at, by their low ends.
+  struct EdgeBlock {
+    LatticeIndex at;
+    std::array<BlockMask, 3> wanted{};  ///< to be looked at, for each axis
+    std::array<BlockMask, 3> asked{};   ///< looked at
+    std::array<BlockMask, 3> crossed{}; ///< crossed by a fault
+    BlockMask cells = 0;                ///< cells with a crossed edge
+  };
+
+  std::size_t makeBlock(const LatticeIndex& at);
+  void want(const LatticeIndex& low, std::size_t axis);
+  void findWanted();
+  bool isCrossed(const LatticeIndex& cell) const;
   std::array<std::uint64_t, 12> crossings(const LatticeIndex& cell) const;
   const Division& divisionOf(const LatticeIndex& cell) const;
   bool nearTip(const LatticeIndex& vertex, std::uint64_t signature) const;
@@ -61,8 +75,12 @@ private:
   const Lattice& lattice_;
   unsigned threads_;
   std::vector<GhostVertex> ghosts_;
-  std::unordered_map<EdgeKey, std::uint64_t> crossing_; ///< lattice edge -> signature of what crosses it
-  mutable std::unordered_map<std::uint64_t, Division> division_; ///< of cells asked about
+  std::vector<EdgeBlock> blocks_;
+  std::unordered_map<std::uint64_t, std::size_t> block_; ///< by key
+  std::size_t last_made_ = 0;                            ///< block asked for last, which is mostly the next one too
+  std::vector<std::size_t> wanted_;                      ///< blocks with edges to be looked at
+  std::unordered_map<EdgeKey, std::uint64_t> crossing_;  ///< crossed lattice edge -> signature of what crosses it
+  mutable std::unordered_map<std::uint64_t, Division> division_; ///< of cells with a crossed edge that were asked about
   std::unordered_map<GhostKey, Index, GhostHash> ghost_;
 };
 

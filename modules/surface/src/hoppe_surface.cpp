@@ -163,7 +163,7 @@ HoppeSurface hoppeSurface(const Points& points, const Points& normals, const Fau
   FaultCutOptions cutting;
   cutting.tolerance = 0.02 * h; // no fit follows that would bring back what is moved onto a fault
   cutting.threads = options.threads;
-  result.cut = cutSheets(sheets, faults, cutting);
+  result.cut = cutSheets(std::move(sheets), faults, cutting);
   removeCrumbs(result.cut, options.smallest_piece);
   if (options.box_extension < 0.0)
     dropOutside(result.cut, box);

@@ -24,6 +24,7 @@ inline int slotOf(const LatticeIndex& p) { return ((p.i & 3) << 4) | ((p.j & 3) 
 inline LatticeIndex inBlock(int slot) { return {slot >> 4, (slot >> 2) & 3, slot & 3}; }
 inline LatticeIndex blockOf(const LatticeIndex& p) { return {p.i >> 2, p.j >> 2, p.k >> 2}; }
 constexpr LatticeIndex forward(std::size_t f) { return {static_cast<int>(f >> 2), static_cast<int>((f >> 1) & 1), static_cast<int>(f & 1)}; }
+inline LatticeIndex vertexOf(const LatticeIndex& at, int slot) { return {4 * at.i + (slot >> 4), 4 * at.j + ((slot >> 2) & 3), 4 * at.k + (slot & 3)}; }
 inline BlockMask bit(int slot) { return BlockMask(1) << slot; }
 inline int lowest(BlockMask mask) { return __builtin_ctzll(mask); }
 
@@ -99,10 +100,7 @@ struct LatticeBlock {
   std::array<double, block::kSlots> value; ///< field less the iso level
   std::array<Index, block::kSlots> plane;  ///< see FieldValue
 
-  LatticeIndex vertex(int slot) const {
-    const LatticeIndex p = block::inBlock(slot);
-    return {4 * at.i + p.i, 4 * at.j + p.j, 4 * at.k + p.k};
-  }
+  LatticeIndex vertex(int slot) const { return block::vertexOf(at, slot); }
 };
 
 /// The blocks that the surface passes near, made as it is followed.

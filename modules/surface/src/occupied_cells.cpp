@@ -1,6 +1,5 @@
 #include "occupied_cells.h"
 
-#include "graben/mesh/bounds.h"
 #include "graben/surface/sheet_extraction.h"
 
 #include <cmath>
@@ -32,12 +31,29 @@ void refuseVoxelSize(double voxel_size, double excess, double least) {
   throw ResourceError("marching cubes", message.str());
 }
 
+namespace {
+
+/// The largest coordinate of finite points, from an origin.
+double farthest(const Points& points, const Vector3& origin, unsigned threads) {
+  constexpr std::size_t grain = 1 << 15;
+  std::vector<double> parts((points.size() + grain - 1) / grain, 0.0);
+  parallelBlocks(points.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    double far = 0.0;
+    for (std::size_t i = begin; i < end; ++i)
+      if (points[i].allFinite())
+        far = std::max(far, (points[i] - origin).cwiseAbs().maxCoeff());
+    parts[begin / grain] = far;
+  });
+  return *std::max_element(parts.begin(), parts.end());
+}
+
+} // namespace
+
 void checkVoxelSize(const NeighborGrid& grid, const Lattice& lattice, double reach, std::size_t memory_limit, unsigned threads) {
-  const Bounds box = boundsOf(grid.points());
-  if (box.empty())
+  if (grid.size() == 0)
     return;
   const double h = lattice.voxel_size;
-  const double far = std::max((box.low - lattice.origin).cwiseAbs().maxCoeff(), (box.high - lattice.origin).cwiseAbs().maxCoeff());
+  const double far = farthest(grid.points(), lattice.origin, threads);
   const double least = far / kLatticeLimit;
   // The surface goes on from the picks by the reach: what it takes at most, and then at least, in cells of that size.
   Lattice coarse = lattice;

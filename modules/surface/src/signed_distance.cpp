@@ -1,6 +1,7 @@
 #include "graben/surface/signed_distance.h"
 
 #include "box_around.h"
+#include "directions_around.h"
 #include "field_neighborhood.h"
 
 #include <Eigen/Geometry>
@@ -20,36 +21,6 @@ constexpr std::size_t kEnclosingPicks = 24;
 constexpr int kRays = 16;
 constexpr double kSlack = 2.0;     // voxels by which what is looked up about faults reaches farther, so that it serves the next place too
 constexpr double kViewpoint = 1.8; // voxels within which the viewpoint lies from its place
-
-Bounds grown(Bounds box, double by) {
-  box.low.array() -= by;
-  box.high.array() += by;
-  return box;
-}
-
-/// Directions around a place, as angles in a tangent plane.
-class Directions {
-public:
-  explicit Directions(const Vector3& normal) : u_(normal.unitOrthogonal()), w_(normal.cross(u_)) {}
-  void add(const Vector3& d) { angles_.push_back(std::atan2(d.dot(w_), d.dot(u_))); }
-  bool empty() const { return angles_.empty(); }
-  std::size_t size() const { return angles_.size(); }
-  Vector3 at(double angle) const { return std::cos(angle) * u_ + std::sin(angle) * w_; }
-  double widestGap() {
-    if (angles_.empty())
-      return 2.0 * M_PI;
-    std::sort(angles_.begin(), angles_.end());
-    double gap = angles_.front() + 2.0 * M_PI - angles_.back();
-    for (std::size_t i = 1; i < angles_.size(); ++i)
-      gap = std::max(gap, angles_[i] - angles_[i - 1]);
-    return gap;
-  }
-
-private:
-  Vector3 u_;
-  Vector3 w_;
-  std::vector<double> angles_;
-};
 
 } // namespace
 
@@ -148,18 +119,19 @@ void SignedDistance::findVisible(const Vector3& v, const Vector3& viewpoint, Scr
 }
 
 bool SignedDistance::surrounded(const Vector3& foot, const Vector3& normal, Scratch& scratch) const {
-  grid_.within(foot, 2.0 * options_.rho_plus_delta, scratch.candidates);
-  Directions directions(normal);
-  for (const Neighbor& c : scratch.candidates)
-    directions.add(grid_.points()[static_cast<std::size_t>(c.index)] - foot);
-  return directions.widestGap() < kWidestGap;
+  PointsAround& picks = scratch.picks;
+  grid_.collectWithin(foot, 2.0 * options_.rho_plus_delta, picks);
+  DirectionsAround directions(normal);
+  for (std::size_t i = 0; i < picks.count; ++i)
+    directions.add({picks.dx[i], picks.dy[i], picks.dz[i]});
+  return directions.gapsBelow(kWidestGap);
 }
 
 bool SignedDistance::enclosed(const Vector3& place, const Vector3& normal, Scratch& scratch) const {
   focusFaults(boxAround(place, 0.0), scratch);
   const LocalFaults& faults = scratch.around->faults;
   grid_.nearest(place, 4 * kEnclosingPicks, scratch.candidates, options_.fault_reach);
-  Directions directions(normal);
+  DirectionsAround directions(normal);
   for (const Neighbor& c : scratch.candidates) {
     const Vector3& pick = grid_.points()[static_cast<std::size_t>(c.index)];
     if (directions.size() < kEnclosingPicks && faults.sameSide(pick, place))
@@ -172,7 +144,7 @@ bool SignedDistance::enclosed(const Vector3& place, const Vector3& normal, Scrat
     if (faults.crosses(place, place + options_.fault_reach * way))
       directions.add(way);
   }
-  return directions.widestGap() < kWidestGapAtFault;
+  return directions.gapsBelow(kWidestGapAtFault);
 }
 
 bool SignedDistance::carriedToFault(const Vector3& foot, double near, Scratch& scratch) const {
@@ -190,26 +162,26 @@ bool SignedDistance::carriedToFault(const Vector3& foot, double near, Scratch& s
 bool SignedDistance::insideOutline(const Vector3& place, const Vector3& normal, double near, Scratch& scratch) const {
   focusFaults(boxAround(place, 0.0), scratch);
   const LocalFaults& faults = scratch.around->faults;
-  grid_.within(place, options_.fault_reach, scratch.candidates);
-  const auto all = static_cast<double>(scratch.candidates.size());
-  Vector3 centre = Vector3::Zero();
+  PointsAround& picks = scratch.picks;
+  grid_.collectWithin(place, options_.fault_reach, picks);
+  const auto all = static_cast<double>(picks.count);
+  Vector3 centre = Vector3::Zero(); // from the place
   double own = 0.0;
-  for (const Neighbor& c : scratch.candidates) {
-    const Vector3& pick = grid_.points()[static_cast<std::size_t>(c.index)];
-    centre += pick / all;
-    own += faults.sameSide(pick, place) ? 1.0 : 0.0;
+  for (std::size_t i = 0; i < picks.count; ++i) {
+    centre += Vector3(picks.dx[i], picks.dy[i], picks.dz[i]) / all;
+    own += faults.sameSide(grid_.points()[static_cast<std::size_t>(picks.index[i])], place) ? 1.0 : 0.0;
   }
   // Few picks of the place's own side may be strays across the fault: then they must lie all round, up to the faults.
   if (own == all || own < kFewOfOwnSide * all)
     return enclosed(place, normal, scratch);
-  const double distance = (centre - place).norm();
+  const double distance = centre.norm();
   if (distance <= near)
     return true;
-  const Vector3 inwards = place + near / distance * (centre - place);
-  Directions directions(normal);
-  for (const Neighbor& c : scratch.candidates)
-    directions.add(grid_.points()[static_cast<std::size_t>(c.index)] - inwards);
-  return directions.widestGap() < M_PI;
+  const Vector3 inwards = near / distance * centre;
+  DirectionsAround directions(normal);
+  for (std::size_t i = 0; i < picks.count; ++i)
+    directions.add(Vector3(picks.dx[i], picks.dy[i], picks.dz[i]) - inwards);
+  return directions.gapsBelow(M_PI);
 }
 
 bool SignedDistance::supported(const Vector3& v, const Vector3& foot, const Vector3& viewpoint, Scratch& scratch) const {

@@ -18,6 +18,7 @@ std::vector<Index> turnedTriangles(const CutMesh& cut, bool at_border, unsigned 
 void relaxTriangles(CutMesh& cut, const std::vector<Index>& triangles);
 
 /// Removes the triangles named (in rising order) and gives fans of triangles that are left touching in a vertex a vertex each.
-void removeTriangles(CutMesh& cut, const std::vector<Index>& triangles);
+/// \param[in] threads 0: one per processor; the result is the same for every number
+void removeTriangles(CutMesh& cut, const std::vector<Index>& triangles, unsigned threads = 0);
 
 } // namespace graben

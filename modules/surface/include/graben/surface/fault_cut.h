@@ -21,6 +21,7 @@ struct FaultCutOptions {
 CutMesh cutAlongFaults(const TriangleMesh& mesh, const FaultNetwork& faults, const FaultCutOptions& options);
 
 /// The same for sheets: what lies beyond the fault, seen from the sheet's own corners, is left out, so that each sheet ends at the fault.
-CutMesh cutSheets(const SheetMesh& sheets, const FaultNetwork& faults, const FaultCutOptions& options);
+/// \param[in] sheets handed over: no copy is made of a mesh that is moved in
+CutMesh cutSheets(SheetMesh sheets, const FaultNetwork& faults, const FaultCutOptions& options);
 
 } // namespace graben

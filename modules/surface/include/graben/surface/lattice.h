@@ -3,7 +3,6 @@
 #include "graben/core/types.h"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 namespace graben {
@@ -45,11 +44,13 @@ struct Lattice {
   Vector3 position(const LatticeIndex& p) const {
     return {origin.x() + p.i * voxel_size, origin.y() + p.j * voxel_size, origin.z() + p.k * voxel_size};
   }
-  /// The cell that contains a point.
+  /// The cell that contains a point, which must lie within kLatticeLimit cells.
   LatticeIndex cellOf(const Vector3& p) const {
-    return {static_cast<std::int32_t>(std::floor((p.x() - origin.x()) / voxel_size)),
-            static_cast<std::int32_t>(std::floor((p.y() - origin.y()) / voxel_size)),
-            static_cast<std::int32_t>(std::floor((p.z() - origin.z()) / voxel_size))};
+    const auto below = [](double x) {
+      const auto whole = static_cast<std::int32_t>(x);
+      return whole - (x < static_cast<double>(whole) ? 1 : 0);
+    };
+    return {below((p.x() - origin.x()) / voxel_size), below((p.y() - origin.y()) / voxel_size), below((p.z() - origin.z()) / voxel_size)};
   }
 };
 

@@ -46,6 +46,7 @@ public:
     ~Scratch();
     std::vector<Neighbor> candidates;
     std::vector<Neighbor> visible;
+    PointsAround picks;
     std::unique_ptr<FieldNeighborhood> around;
   };
 
