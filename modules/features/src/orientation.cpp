@@ -40,55 +40,68 @@ void check(const NeighborGrid& grid, const OrientationOptions& options, const Po
     throw InvalidInputError(stage, "The spanning tree needs one neighbour or more for each pick.");
 }
 
-/// True if turning every normal up gives what the spanning tree would; see orientNormals().
-bool upAxisDecides(const NeighborGrid& grid, const OrientationOptions& options, const Points& normals) {
-  constexpr double SURE = 0.70711;     // two normals that are closer to the axis than 45 degrees agree
-  constexpr double LEAST = CLOSED;     // the mean of such normals is not that of a closed object, and is up
-  constexpr std::size_t MOST = 100;    // one pick of so many may be in doubt; a tree is cheaper than to look around more
-  constexpr std::size_t GRAIN = 1 << 14;
-  const Vector3 up = options.up.normalized();
-  std::vector<std::vector<Index>> parts((grid.size() + GRAIN - 1) / GRAIN);
-  std::vector<char> wild(parts.size(), 0);
-  parallelBlocks(grid.size(), GRAIN, options.threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const double rise = std::abs(normals[static_cast<std::size_t>(grid.order()[i])].dot(up));
-      if (rise < LEAST)
-        wild[begin / GRAIN] = 1;
-      else if (rise < SURE)
-        parts[begin / GRAIN].push_back(grid.order()[i]);
-    }
-  });
-  std::vector<Index> doubtful;
-  for (const std::vector<Index>& part : parts)
-    doubtful.insert(doubtful.end(), part.begin(), part.end());
-  if (std::find(wild.begin(), wild.end(), 1) != wild.end() || MOST * doubtful.size() > grid.size())
-    return false;
-  if (doubtful.empty() || !(options.rho_plus_delta > 0.0) || std::isinf(options.rho_plus_delta))
-    return doubtful.empty();
-  const auto upward = [&](Index pick) {
-    const Vector3& normal = normals[static_cast<std::size_t>(pick)];
-    return normal.dot(up) < 0.0 ? Vector3(-normal) : normal;
-  };
-  std::vector<char> against(doubtful.size(), 0);
-  parallelBlocks(doubtful.size(), 256, options.threads, [&](std::size_t begin, std::size_t end) {
-    PointsAround around;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vector3 normal = upward(doubtful[i]);
-      grid.collectWithin(grid.points()[static_cast<std::size_t>(doubtful[i])], options.rho_plus_delta, around);
-      for (std::size_t j = 0; j < around.count; ++j)
-        if (upward(around.index[j]).dot(normal) < 0.0)
-          against[i] = 1;
-    }
-  });
-  return std::find(against.begin(), against.end(), 1) == against.end();
-}
-
 void turnUp(const OrientationOptions& options, Points& normals) {
   constexpr std::size_t GRAIN = 1 << 14;
   parallelFor(normals.size(), GRAIN, options.threads, [&](std::size_t i) {
     if (normals[i].dot(options.up) < 0.0)
       normals[i] = -normals[i];
   });
+}
+
+constexpr double SURE = 0.70711; // normals closer to the axis than 45 degrees agree
+
+/// The picks whose normals are not, in the grid's order.
+std::vector<Index> doubtfulNormals(const NeighborGrid& grid, const OrientationOptions& options, const Points& normals) {
+  constexpr std::size_t GRAIN = 1 << 14;
+  const Vector3 up = options.up.normalized();
+  std::vector<std::vector<Index>> parts((grid.size() + GRAIN - 1) / GRAIN);
+  parallelBlocks(grid.size(), GRAIN, options.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (std::abs(normals[static_cast<std::size_t>(grid.order()[i])].dot(up)) < SURE)
+        parts[begin / GRAIN].push_back(grid.order()[i]);
+  });
+  std::vector<Index> doubtful;
+  for (const std::vector<Index>& part : parts)
+    doubtful.insert(doubtful.end(), part.begin(), part.end());
+  return doubtful;
+}
+
+/// Turns normals up, and a few in doubt towards those that are not within rho + delta; see orientNormals().
+/// \return false, and nothing done, if there are more, or such have hardly others around them
+bool turnByUpAxis(const NeighborGrid& grid, const OrientationOptions& options, Points& normals) {
+  constexpr std::size_t MOST = 100; // one pick of so many may be in doubt; a tree is cheaper than to look around more
+  const std::vector<Index> doubtful = doubtfulNormals(grid, options, normals);
+  const bool limited = options.rho_plus_delta > 0.0 && std::isfinite(options.rho_plus_delta);
+  if (!doubtful.empty() && (!limited || MOST * doubtful.size() > grid.size()))
+    return false;
+  const double least = SURE * options.up.norm();
+  std::vector<Vector3> settled(doubtful.size());
+  std::vector<char> alone(doubtful.size(), 0);
+  parallelBlocks(doubtful.size(), 256, options.threads, [&](std::size_t begin, std::size_t end) {
+    PointsAround around;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto pick = static_cast<std::size_t>(doubtful[i]);
+      grid.collectWithin(grid.points()[pick], options.rho_plus_delta, around);
+      Vector3 sum = Vector3::Zero();
+      std::size_t sure = 0;
+      for (std::size_t j = 0; j < around.count; ++j) {
+        const Vector3& normal = normals[static_cast<std::size_t>(around.index[j])];
+        const double rise = normal.dot(options.up);
+        if (std::abs(rise) >= least) {
+          sum += rise < 0.0 ? Vector3(-normal) : normal;
+          ++sure;
+        }
+      }
+      alone[i] = 2 * sure <= around.count ? 1 : 0;
+      settled[i] = normals[pick].dot(sum) < 0.0 ? Vector3(-normals[pick]) : normals[pick];
+    }
+  });
+  if (std::find(alone.begin(), alone.end(), 1) != alone.end())
+    return false;
+  turnUp(options, normals);
+  for (std::size_t i = 0; i < doubtful.size(); ++i)
+    normals[static_cast<std::size_t>(doubtful[i])] = settled[i];
+  return true;
 }
 
 OrientationResult orientBySpanningTree(const NeighborGrid& grid, const FaultNetwork& faults,
@@ -145,9 +158,7 @@ OrientationResult orientNormals(const NeighborGrid& grid, const FaultNetwork& fa
   if (options.method == OrientationMethod::UpAxis) {
     turnUp(options, normals);
     result.components = 1;
-  } else if (!options.components && upAxisDecides(grid, options, normals)) {
-    turnUp(options, normals);
-  } else {
+  } else if (options.components || !turnByUpAxis(grid, options, normals)) {
     result = orientBySpanningTree(grid, faults, options, normals);
   }
   return result;

@@ -201,6 +201,26 @@ TEST(Orientation, TheTreeDecidesWhereANeighbourPointsToTheOtherSide) {
     ASSERT_GT(normals[i].dot(truth[i]), 0.0);
 }
 
+TEST(Orientation, SingleWildNormalsTakeTheSideOfThoseAroundThem) {
+  // Every other normal leans one way by 20 degrees; one in 211 lies almost level, so that turned up it would be against the others.
+  Points points, normals;
+  for (int j = 0; j < 100; ++j)
+    for (int i = 0; i < 100; ++i) {
+      points.emplace_back(i, j, 0.0);
+      const bool wild = (100 * j + i) % 211 == 105;
+      const double lean = (wild ? 95.0 : 20.0) * 3.14159265358979323846 / 180.0;
+      normals.emplace_back(-std::sin(lean), 0.0, std::cos(lean));
+    }
+  const Points truth = normals;
+  scramble(normals);
+  OrientationOptions options;
+  options.rho_plus_delta = 2.5;
+  expectSameWithoutComponents(points, normals, options);
+  orientNormals(NeighborGrid(points), {}, options, normals);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    ASSERT_EQ(normals[i], truth[i]) << i;
+}
+
 /// Kruskal's algorithm on the whole graph: the normals on the sides that the tree says, seen from the tree's first pick.
 Points orientedByKruskal(const NeighborGrid& grid, Points normals, std::size_t neighbors) {
   struct Edge {

@@ -32,9 +32,9 @@ struct OrientationResult {
 /// a whole if the mean of its normals is against \a up. A component whose mean normal is shorter
 /// than 0.3 is taken to be a closed object and is turned outwards.
 ///
-/// Signs do not hang on the tree where, all normals turned up, no two that an edge could join point to different sides. That is so, and no
-/// graph is made, where each normal is within 45 degrees of up, or within 72 degrees and at less than 90 to those of all picks within
-/// rho + delta: on any horizon but one with overturned folds or wild normals.
+/// No graph is made where the axis tells as much: where normals are within 45 degrees of it, but for one in a hundred, and each of these has mostly
+/// such normals within rho + delta, whose side it takes. That is so on any horizon but one with overturned folds; noise that throws over single
+/// normals does no harm.
 ///
 /// Elsewhere the graph's edges are joined in one parallel pass (where the normals of all picks within rho + delta of a few dozen neighbouring
 /// ones are within 45 degrees of one line, these are joined with all of them; components so near to each other are then turned as one, unless
