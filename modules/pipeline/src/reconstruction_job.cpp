@@ -23,15 +23,19 @@ namespace graben {
 
 namespace {
 
-/// The slope of a plane through K picks errs by about noise / mean distance / K: more picks where the noise is large, unless the picks lie off
-/// planes for the bends of their surface, as those of a closed object do.
-std::size_t neighborsFor(const Sampling& sampling, double delta, double mean_distance) {
+/// The slope of a plane through K picks errs by about noise / mean distance / K and its height by noise / sqrt(K), which must not throw over the triangles
+/// between lattice vertices one voxel apart: more picks where the noise is large, unless the picks lie off planes for the bends of their surface, as
+/// those of a closed object do. The noise that is left, the fit averages out.
+std::size_t neighborsFor(const Sampling& sampling, double delta, double mean_distance, double voxel_size) {
   constexpr double fewest = 15.0;
   constexpr double most = 60.0;
-  constexpr double per_noise = 40.0;
+  constexpr double for_slope = 13.0;
+  constexpr double for_height = 30.0;
   constexpr double bent = 1.3;
-  const bool noise = sampling.delta < bent * 3.0 * sampling.sigma;
-  return noise ? static_cast<std::size_t>(std::lround(std::clamp(per_noise * delta / mean_distance, fewest, most))) : static_cast<std::size_t>(fewest);
+  if (sampling.delta >= bent * 3.0 * sampling.sigma)
+    return static_cast<std::size_t>(fewest);
+  const double wanted = std::max(for_slope * delta / mean_distance, for_height * std::pow(delta / voxel_size, 2));
+  return static_cast<std::size_t>(std::lround(std::clamp(wanted, fewest, most)));
 }
 
 constexpr double kMeasurementReach = 2.0; // rho + delta: farther than this from all picks a measurement is not of this horizon
@@ -118,7 +122,7 @@ void ReconstructionJob::prepareParameters() {
   used.zone_width = options_.zone_width > 0.0 ? options_.zone_width : 5.0 * used.voxel_size;
   used.fault_reach = options_.fault_reach > 0.0 ? options_.fault_reach : std::max(6.0 * mean_distance_, 2.0 * rhoPlusDelta());
   used.flip_angle = options_.flip_angle;
-  used.neighbors = options_.neighbors > 0 ? options_.neighbors : neighborsFor(report.sampling, used.delta, mean_distance_);
+  used.neighbors = options_.neighbors > 0 ? options_.neighbors : neighborsFor(report.sampling, used.delta, mean_distance_, used.voxel_size);
   used.origin = result_.frame.origin;
   used.z_scale = options_.z_scale;
   used.fit = options_.fit == FitMode::Full ? "full" : options_.fit == FitMode::Normal ? "normal" : "off";
