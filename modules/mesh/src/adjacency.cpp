@@ -1,6 +1,6 @@
 #include "graben/mesh/adjacency.h"
 
-#include "graben/core/threads.h"
+#include "group_by_vertex.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -31,27 +31,16 @@ bool repeatsVertex(const Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// All half-edges of proper triangles, grouped by lower vertex: those of vertex v are entries
-/// [first[v], first[v + 1]).
-void listEdges(const TriangleMesh& mesh, std::vector<std::uint32_t>& first,
-               std::vector<EdgeEntry>& entries) {
-  first.assign(mesh.vertices.size() + 1, 0);
-  const auto visit = [&mesh](const auto& body) {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const Triangle& triangle = mesh.triangles[t];
-      if (repeatsVertex(triangle))
-        continue;
-      for (std::size_t e = 0; e < 3; ++e)
-        body(std::minmax(triangle[e], triangle[(e + 1) % 3]), static_cast<Index>(3 * t + e));
+/// All half-edges of proper triangles, at their lower vertices.
+detail::ByVertex<EdgeEntry> edgesByVertex(const TriangleMesh& mesh, unsigned threads) {
+  return detail::groupByVertex<EdgeEntry>(mesh, threads, [&mesh](std::size_t t, const auto& put) {
+    const Triangle& triangle = mesh.triangles[t];
+    if (repeatsVertex(triangle))
+      return;
+    for (std::size_t e = 0; e < 3; ++e) {
+      const auto [low, high] = std::minmax(triangle[e], triangle[(e + 1) % 3]);
+      put(low, EdgeEntry{high, static_cast<Index>(3 * t + e)});
     }
-  };
-  visit([&first](const auto& ends, Index) { ++first[static_cast<std::size_t>(ends.first) + 1]; });
-  for (std::size_t v = 1; v < first.size(); ++v)
-    first[v] += first[v - 1];
-  entries.resize(first.back());
-  std::vector<std::uint32_t> cursor(first.begin(), first.end() - 1);
-  visit([&](const auto& ends, Index half_edge) {
-    entries[cursor[static_cast<std::size_t>(ends.first)]++] = {ends.second, half_edge};
   });
 }
 
@@ -59,10 +48,8 @@ void listEdges(const TriangleMesh& mesh, std::vector<std::uint32_t>& first,
 
 EdgeAdjacency::EdgeAdjacency(const TriangleMesh& mesh, unsigned threads)
     : twin_(3 * mesh.triangles.size(), kNonManifold) {
-  std::vector<std::uint32_t> first;
-  std::vector<EdgeEntry> entries;
-  listEdges(mesh, first, entries);
-  parallelFor(mesh.vertices.size(), 4096, threads, [&](std::size_t v) {
+  auto [first, entries] = edgesByVertex(mesh, threads);
+  parallelFor(mesh.vertices.size(), 4096, threads, [&, &first = first, &entries = entries](std::size_t v) {
     const std::uint32_t end = first[v + 1];
     std::sort(entries.begin() + first[v], entries.begin() + end);
     for (std::uint32_t i = first[v], j = i; i < end; i = j) {

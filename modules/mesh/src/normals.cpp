@@ -5,34 +5,13 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <cstdint>
 
 namespace graben {
 
 namespace {
 
-/// Corners (3 t + e) of proper triangles grouped by vertex: those of v are corners[first[v]] to
-/// corners[first[v + 1] - 1].
-struct VertexCorners {
-  std::vector<std::uint32_t> first;
-  std::vector<std::uint32_t> corners;
-
-  explicit VertexCorners(const TriangleMesh& mesh)
-      : first(mesh.vertices.size() + 1, 0)
-      , corners(3 * mesh.triangles.size()) {
-    for (const Triangle& triangle : mesh.triangles)
-      for (const Index v : triangle)
-        ++first[static_cast<std::size_t>(v) + 1];
-    for (std::size_t v = 1; v < first.size(); ++v)
-      first[v] += first[v - 1];
-    std::vector<std::uint32_t> cursor(first.begin(), first.end() - 1);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-      for (std::size_t e = 0; e < 3; ++e)
-        corners[cursor[static_cast<std::size_t>(mesh.triangles[t][e])]++] = static_cast<std::uint32_t>(3 * t + e);
-  }
-};
-
-Vector3 weightedNormal(const TriangleMesh& mesh, std::size_t corner) {
+Vector3 weightedNormal(const TriangleMesh& mesh, Index half_edge) {
+  const auto corner = static_cast<std::size_t>(half_edge);
   const Triangle& t = mesh.triangles[corner / 3];
   const auto at = [&](std::size_t e) -> const Vector3& {
     return mesh.vertices[static_cast<std::size_t>(t[e % 3])];
@@ -46,6 +25,14 @@ Vector3 weightedNormal(const TriangleMesh& mesh, std::size_t corner) {
   return std::atan2(length, u.dot(w)) / length * n;
 }
 
+Vector3 normalAt(const TriangleMesh& mesh, const VertexCorners& corners, std::size_t vertex) {
+  Vector3 sum = Vector3::Zero();
+  for (const Index corner : corners.of(vertex))
+    sum += weightedNormal(mesh, corner);
+  const double length = sum.norm();
+  return length > 1e-12 ? Vector3(sum / length) : Vector3(Vector3::UnitZ());
+}
+
 } // namespace
 
 Vector3 areaNormal(const TriangleMesh& mesh, const Triangle& triangle) {
@@ -56,15 +43,18 @@ Vector3 areaNormal(const TriangleMesh& mesh, const Triangle& triangle) {
 }
 
 void computeVertexNormals(TriangleMesh& mesh, unsigned threads) {
-  const VertexCorners around(mesh);
-  mesh.normals.assign(mesh.vertices.size(), Vector3::UnitZ());
-  parallelFor(mesh.vertices.size(), 4096, threads, [&](std::size_t v) {
-    Vector3 sum = Vector3::Zero();
-    for (std::size_t i = around.first[v]; i < around.first[v + 1]; ++i)
-      sum += weightedNormal(mesh, around.corners[i]);
-    const double length = sum.norm();
-    if (length > 1e-12)
-      mesh.normals[v] = sum / length;
+  computeVertexNormals(mesh, VertexCorners(mesh, threads), threads);
+}
+
+void computeVertexNormals(TriangleMesh& mesh, const VertexCorners& corners, unsigned threads) {
+  mesh.normals.resize(mesh.vertices.size());
+  parallelFor(mesh.vertices.size(), 4096, threads, [&](std::size_t v) { mesh.normals[v] = normalAt(mesh, corners, v); });
+}
+
+void updateVertexNormals(TriangleMesh& mesh, const VertexCorners& corners, const std::vector<Index>& vertices, unsigned threads) {
+  parallelFor(vertices.size(), 1024, threads, [&](std::size_t i) {
+    const auto v = static_cast<std::size_t>(vertices[i]);
+    mesh.normals[v] = normalAt(mesh, corners, v);
   });
 }
 

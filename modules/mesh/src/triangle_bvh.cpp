@@ -1,7 +1,10 @@
 #include "graben/mesh/triangle_bvh.h"
 
+#include "bvh_group.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace graben {
 
@@ -36,7 +39,7 @@ struct ScaledPoint {
   Eigen::Array4f squaredDistances(const Node& node) const {
     Eigen::Array4f sum = Eigen::Array4f::Zero();
     for (std::size_t i = 0; i < 3; ++i)
-      sum += (node.low[i] - high[i]).max(low[i] - node.high[i]).max(0.0F).square();
+      sum += (Eigen::Array4f::MapAligned(node.low[i]) - high[i]).max(low[i] - Eigen::Array4f::MapAligned(node.high[i])).max(0.0F).square();
     return sum;
   }
 };
@@ -120,6 +123,91 @@ MeshPoint TriangleBvh::nearest(const Vector3& p, double max_distance) const {
   detail::NearestQuery query(*this, p, max_distance);
   search(query);
   return query.best;
+}
+
+namespace {
+
+/// \return false if a point is not finite, or so far from the mesh that single precision will not do
+bool fill(detail::PointGroup& group, const Vector3* points, std::size_t count, double per_length, const Vector3& origin) {
+  constexpr double kFarthest = 64.0; // mesh sizes
+  Bounds box;
+  for (std::size_t p = 0; p < count; ++p) {
+    if (!(((points[p] - origin) * per_length).cwiseAbs().maxCoeff() < kFarthest))
+      return false;
+    box.extend(points[p]);
+  }
+  const Vector3 centre = 0.5 * (box.low + box.high);
+  Vector3::Map(group.centre) = centre;
+  group.count = count;
+  for (std::size_t p = 0; p < detail::PointGroup::kSize; ++p) {
+    const Vector3 at = (points[std::min(p, count - 1)] - centre) * per_length;
+    for (std::size_t i = 0; i < 3; ++i)
+      group.at[i][p] = static_cast<float>(at[static_cast<Eigen::Index>(i)]);
+  }
+  const ScaledPoint scaled((box.low - origin) * per_length, (box.high - origin) * per_length);
+  std::copy(scaled.low.begin(), scaled.low.end(), group.low);
+  std::copy(scaled.high.begin(), scaled.high.end(), group.high);
+  return true;
+}
+
+} // namespace
+
+/// \param[in] start place of a triangle to start from, -1 for none
+MeshPoint TriangleBvh::nearestFrom(const Vector3& p, Index start) const {
+  if (empty() || !p.allFinite())
+    return {};
+  detail::NearestQuery query(*this, p, std::numeric_limits<double>::infinity());
+  if (start >= 0)
+    query.look(static_cast<std::size_t>(start));
+  search(query);
+  return query.best;
+}
+
+void TriangleBvh::nearestOneByOne(const Vector3* points, std::size_t count, double* distances, Index* triangles) const {
+  for (std::size_t p = 0; p < count; ++p) {
+    const MeshPoint found = nearestFrom(points[p], -1);
+    distances[p] = found.distance;
+    triangles[p] = found.triangle;
+  }
+}
+
+/// \param[in,out] group with its reach; the rest is working memory
+void TriangleBvh::nearestTogether(const Vector3* points, std::size_t count, detail::PointGroup& group, double* distances, Index* triangles) const {
+  constexpr std::size_t kFewest = 8; // a kernel's vector
+  const detail::BvhView view{nodes_.data(), triangles_.front().data(), vertices_.front().data(), per_length_};
+  if (count < kFewest || !fill(group, points, count, per_length_, origin_))
+    return nearestOneByOne(points, count, distances, triangles);
+  if (!detail::searchGroup(view, group)) {
+    nearestTogether(points, count / 2, group, distances, triangles);
+    nearestTogether(points + count / 2, count - count / 2, group, distances + count / 2, triangles + count / 2);
+    return;
+  }
+  for (std::size_t p = 0; p < count; ++p) {
+    if (!group.isCertain(p)) {
+      const MeshPoint found = nearestFrom(points[p], group.place[p]);
+      distances[p] = found.distance;
+      triangles[p] = found.triangle;
+      continue;
+    }
+    const auto place = static_cast<std::size_t>(group.place[p]);
+    const TrianglePoint found = nearestPointOnTriangle(points[p], corner(place, 0), corner(place, 1), corner(place, 2));
+    distances[p] = std::sqrt((found.point - points[p]).squaredNorm());
+    triangles[p] = order_[place];
+  }
+}
+
+void TriangleBvh::nearestOfEach(const Vector3* points, std::size_t count, double* distances, Index* triangles) const {
+  constexpr double kReach = 4.0; // mean distances of the group before: all but a few normally distributed ones
+  detail::PointGroup group;
+  if (empty())
+    return nearestOneByOne(points, count, distances, triangles);
+  for (std::size_t begin = 0, size = 0; begin < count; begin += size) {
+    size = std::min(begin == 0 ? 1 : detail::PointGroup::kSize, count - begin);
+    nearestTogether(points + begin, size, group, distances + begin, triangles + begin);
+    const double sum = std::accumulate(distances + begin, distances + begin + size, 0.0);
+    if (std::isfinite(sum))
+      group.reach = static_cast<float>(std::min(kReach * sum / static_cast<double>(size) * per_length_, 64.0));
+  }
 }
 
 /// Calls visit(node, slot) for every leaf whose box may overlap; stops when it returns false. \return false if it was stopped

@@ -241,8 +241,8 @@ private:
 
   static void setBox(Node& node, std::size_t slot, const Box& box) {
     for (std::size_t a = 0; a < 3; ++a) {
-      node.low[a][static_cast<Eigen::Index>(slot)] = box.low[a];
-      node.high[a][static_cast<Eigen::Index>(slot)] = box.high[a];
+      node.low[a][slot] = box.low[a];
+      node.high[a][slot] = box.high[a];
     }
   }
 
@@ -262,7 +262,7 @@ private:
     Box box;
     for (std::size_t k = 0; k < 4 && node.child[k] != TriangleBvh::kNoChild; ++k)
       for (std::size_t a = 0; a < 3; ++a)
-        box.extend(a, node.low[a][static_cast<Eigen::Index>(k)], node.high[a][static_cast<Eigen::Index>(k)]);
+        box.extend(a, node.low[a][k], node.high[a][k]);
     return box;
   }
 

@@ -55,8 +55,10 @@ struct ScaledSegment {
     std::array<Eigen::Array4f, 3> to, size;
     Eigen::Array4f outside = Eigen::Array4f::Constant(-1.0F);
     for (std::size_t i = 0; i < 3; ++i) {
-      to[i] = 0.5F * (node.low[i] + node.high[i]) - middle[i];
-      size[i] = 0.5F * (node.high[i] - node.low[i]);
+      const auto low = Eigen::Array4f::MapAligned(node.low[i]);
+      const auto high = Eigen::Array4f::MapAligned(node.high[i]);
+      to[i] = 0.5F * (low + high) - middle[i];
+      size[i] = 0.5F * (high - low);
       outside = outside.max(to[i].abs() - size[i] - reach[i]);
     }
     if ((outside > 0.0F).all())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/mesh/bounds.h"
+#include "graben/mesh/bvh_node.h"
 #include "graben/mesh/triangle_mesh.h"
 
 #include <functional>
@@ -12,6 +13,7 @@ namespace graben {
 namespace detail {
 class BvhBuilder;
 struct NearestQuery;
+struct PointGroup;
 } // namespace detail
 
 /// The point of a triangle nearest to a query, and where on the triangle it is.
@@ -62,6 +64,10 @@ public:
   /// The nearest point within max_distance; triangle -1 if there is none or \a p is not finite.
   MeshPoint nearest(const Vector3& p, double max_distance = std::numeric_limits<double>::infinity()) const;
 
+  /// The nearest triangle and its distance for each of \a count points: just what nearest() says of them one by one, -1 and infinity for a point
+  /// that is not finite. Several times as fast where points that follow each other lie near each other.
+  void nearestOfEach(const Vector3* points, std::size_t count, double* distances, Index* triangles) const;
+
   /// The hit nearest to \a a on the closed segment a b, if there is one. A segment that ends on the
   /// mesh hits it; one that runs inside a triangle's plane does not hit that triangle. Watertight
   /// over shared edges: a segment through an edge hits at least one of its triangles.
@@ -89,21 +95,17 @@ private:
   friend class detail::BvhBuilder;
   friend struct detail::NearestQuery;
 
-  static constexpr float kNowhere = 1e18F; ///< coordinates of a box that is not there
-  static constexpr Index kNoChild = std::numeric_limits<Index>::min();
-
-  /// Boxes of up to four children in units of scale_ about origin_, rounded to the nearest float.
-  struct Node {
-    Eigen::Array4f low[3] = {Eigen::Array4f::Constant(kNowhere), Eigen::Array4f::Constant(kNowhere), Eigen::Array4f::Constant(kNowhere)};
-    Eigen::Array4f high[3] = {Eigen::Array4f::Constant(kNowhere), Eigen::Array4f::Constant(kNowhere), Eigen::Array4f::Constant(kNowhere)};
-    std::array<Index, 4> child{kNoChild, kNoChild, kNoChild, kNoChild}; ///< node; leaf: ~(2 * first place + count - 1)
-  };
-  static std::size_t firstPlace(Index leaf) { return static_cast<std::size_t>(~leaf / 2); }
-  static std::size_t lastPlace(Index leaf) { return firstPlace(leaf) + static_cast<std::size_t>(~leaf % 2); }
+  using Node = detail::BvhNode; ///< boxes in the units per_length_ makes, about origin_
+  static constexpr Index kNoChild = Node::kNoChild;
+  static std::size_t firstPlace(Index leaf) { return Node::firstPlace(leaf); }
+  static std::size_t lastPlace(Index leaf) { return Node::lastPlace(leaf); }
 
   const Vector3& corner(std::size_t place, std::size_t e) const { return vertices_[static_cast<std::size_t>(triangles_[place][e])]; }
   Vector3 scaled(const Vector3& p) const { return (p - origin_) * per_length_; }
   void search(detail::NearestQuery& query) const;
+  MeshPoint nearestFrom(const Vector3& p, Index start) const;
+  void nearestOneByOne(const Vector3* points, std::size_t count, double* distances, Index* triangles) const;
+  void nearestTogether(const Vector3* points, std::size_t count, detail::PointGroup& group, double* distances, Index* triangles) const;
   template <typename Visit>
   bool walkLeaves(const Bounds& box, const Visit& visit) const;
   template <typename Visit>

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "graben/mesh/adjacency.h"
+#include "graben/mesh/vertex_corners.h"
+
+namespace graben {
+
+/// What hangs on a mesh's triangles alone and serves one stage after the other: it holds until triangles are added, removed or turned round,
+/// wherever the vertices move. 26 bytes a triangle.
+struct MeshConnections {
+  VertexCorners corners;
+  EdgeAdjacency adjacency;
+
+  /// O(n); the same for any number of threads (0: one per processor). The mesh's indices must be valid.
+  explicit MeshConnections(const TriangleMesh& mesh, unsigned threads = 0)
+      : corners(mesh, threads)
+      , adjacency(mesh, threads) {}
+};
+
+} // namespace graben
