@@ -1,5 +1,7 @@
 #include "graben/analysis/approximation_error.h"
 
+#include "part_near_faults.h"
+
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 #include "graben/filters/fault_distance.h"
@@ -13,7 +15,7 @@ namespace graben {
 namespace {
 
 const char* const kStage = "measuring the approximation error";
-constexpr std::size_t kGrain = 512;
+constexpr std::size_t kGrain = 4096;
 
 void checkSelection(const std::vector<Index>& selection, std::size_t picks) {
   for (const Index i : selection)
@@ -27,10 +29,8 @@ PickDistances pickDistances(const TriangleBvh& mesh, const Points& picks, unsign
   if (mesh.empty())
     throw InvalidInputError(kStage, "the surface has no triangles");
   PickDistances result{std::vector<double>(picks.size()), std::vector<Index>(picks.size())};
-  parallelFor(picks.size(), kGrain, threads, [&](std::size_t i) {
-    const MeshPoint found = mesh.nearest(picks[i]);
-    result.distance[i] = found.distance;
-    result.triangle[i] = found.triangle;
+  parallelBlocks(picks.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
+    mesh.nearestOfEach(picks.data() + begin, end - begin, result.distance.data() + begin, result.triangle.data() + begin);
   });
   return result;
 }
@@ -66,6 +66,28 @@ DistanceStatistics approximationError(const TriangleMesh& mesh, const Points& pi
 DistanceStatistics approximationError(const TriangleMesh& mesh, const Points& picks,
                                       const std::vector<Index>& selection, unsigned threads) {
   return approximationError(TriangleBvh(mesh, threads), picks, selection, threads);
+}
+
+DistanceStatistics approximationErrorInZone(const TriangleMesh& mesh, const Points& picks, const FaultNetwork& network, double width, double reach,
+                                            unsigned threads) {
+  if (!mesh.empty() && picks.empty())
+    return {};
+  const TriangleBvh near(partNearFaults(mesh, network, width + reach, threads).mesh, threads);
+  if (near.empty())
+    return approximationError(mesh, picks, threads);
+  std::vector<double> distances = pickDistances(near, picks, threads).distance;
+  std::vector<std::size_t> far;
+  for (std::size_t i = 0; i < picks.size(); ++i)
+    if (distances[i] > reach && picks[i].allFinite())
+      far.push_back(i);
+  if (!far.empty()) {
+    const TriangleBvh all(mesh, threads);
+    parallelFor(far.size(), 256, threads, [&](std::size_t i) {
+      double& distance = distances[far[i]];
+      distance = std::min(distance, all.nearest(picks[far[i]], distance).distance);
+    });
+  }
+  return approximationError(std::move(distances), threads);
 }
 
 std::vector<Index> zonePicks(const Points& picks, const FaultNetwork& network, double width,

@@ -1,7 +1,6 @@
 #include "graben/analysis/cutoff_lines.h"
 
 #include "graben/core/errors.h"
-#include "graben/mesh/adjacency.h"
 
 #include <Eigen/Geometry>
 
@@ -30,8 +29,7 @@ using FaultSide = std::pair<Index, int>;
 
 /// Border edges on each side of each fault; at a vertex where two borders touch the later edge is left to a line of its own.
 std::map<FaultSide, BorderEdges> edgesByFault(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults,
-                                              const FaultNetwork* faults) {
-  const EdgeAdjacency adjacency(mesh);
+                                              const EdgeAdjacency& adjacency, const FaultNetwork* faults) {
   std::map<FaultSide, BorderEdges> edges;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t e = 0; e < 3; ++e) {
@@ -63,10 +61,15 @@ CutoffLine follow(const TriangleMesh& mesh, FaultSide where, BorderEdges& edges,
 } // namespace
 
 std::vector<CutoffLine> cutoffLines(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults, const FaultNetwork* faults) {
+  return cutoffLines(mesh, vertex_faults, EdgeAdjacency(mesh), faults);
+}
+
+std::vector<CutoffLine> cutoffLines(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults, const EdgeAdjacency& adjacency,
+                                    const FaultNetwork* faults) {
   if (vertex_faults.size() != mesh.vertices.size())
     throw InvalidInputError("cutoff lines", "there must be one entry of faults per vertex");
   std::vector<CutoffLine> lines;
-  for (auto& [where, edges] : edgesByFault(mesh, vertex_faults, faults)) {
+  for (auto& [where, edges] : edgesByFault(mesh, vertex_faults, adjacency, faults)) {
     std::map<Index, bool> has_predecessor;
     for (const auto& edge : edges)
       has_predecessor[edge.second.first] = true;

@@ -2,7 +2,6 @@
 
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
-#include "graben/mesh/adjacency.h"
 #include "graben/mesh/components.h"
 #include "graben/mesh/normals.h"
 #include "graben/mesh/triangle_bvh.h"
@@ -75,8 +74,11 @@ Points upwardNormals(const TriangleMesh& mesh, unsigned threads) {
 
 std::vector<Index> foldedTriangles(const TriangleMesh& mesh, unsigned threads) {
   validate(mesh, kStage, threads);
+  return foldedTriangles(mesh, EdgeAdjacency(mesh, threads), threads);
+}
+
+std::vector<Index> foldedTriangles(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, unsigned threads) {
   const Points normals = areaNormals(mesh, threads);
-  const EdgeAdjacency adjacency(mesh, threads);
   const std::vector<Index> folds = foldedEdges(normals, adjacency, threads);
   if (folds.empty())
     return {};

@@ -1,9 +1,7 @@
 #include "graben/analysis/topology.h"
 
 #include "graben/core/threads.h"
-#include "graben/mesh/adjacency.h"
 #include "graben/mesh/bounds.h"
-#include "graben/mesh/components.h"
 #include "graben/mesh/normals.h"
 
 #include <algorithm>
@@ -42,31 +40,19 @@ bool isDegenerate(const TriangleMesh& mesh, const Triangle& t, double diagonal) 
          areaNormal(mesh, t).norm() <= kThin * longest2;
 }
 
-/// The vertex of half-edge h's triangle that h does not touch.
-Index apexOf(const TriangleMesh& mesh, Index h) {
-  return mesh.triangles[cornerOf(h / 3)][cornerOf(previousInTriangle(h) % 3)];
-}
+constexpr std::size_t kGrain = 1 << 14;
 
-/// True if a triangle may have the same vertices as another: then it shares each of its edges with the other, as twin or as one too many.
-bool mayRepeat(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, std::size_t triangle) {
-  for (Index h = static_cast<Index>(3 * triangle), end = h + 3; h < end; ++h) {
-    const Index twin = adjacency.twin(h);
-    if (twin == EdgeAdjacency::kNonManifold || (twin >= 0 && apexOf(mesh, twin) == apexOf(mesh, h)))
-      return true;
-  }
-  return false;
-}
-
-std::size_t countDuplicates(const TriangleMesh& mesh, const EdgeAdjacency& adjacency) {
-  std::vector<Triangle> sorted;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (mayRepeat(mesh, adjacency, t))
-      sorted.push_back(mesh.triangles[t]);
-  for (Triangle& t : sorted)
-    std::sort(t.begin(), t.end());
-  std::sort(sorted.begin(), sorted.end());
-  return sorted.size() -
-         static_cast<std::size_t>(std::unique(sorted.begin(), sorted.end()) - sorted.begin());
+/// The sum of count(i) over [0, size).
+template <typename Count>
+std::size_t sumOf(std::size_t size, unsigned threads, const Count& count) {
+  std::vector<std::size_t> sums((size + kGrain - 1) / kGrain, 0);
+  parallelBlocks(size, kGrain, threads, [&](std::size_t begin, std::size_t end) {
+    std::size_t sum = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      sum += count(i);
+    sums[begin / kGrain] = sum;
+  });
+  return std::accumulate(sums.begin(), sums.end(), std::size_t{0});
 }
 
 /// A half-edge on an edge that is not manifold.
@@ -79,101 +65,118 @@ struct BadEdge {
   }
 };
 
-std::vector<BadEdge> badEdges(const TriangleMesh& mesh, const EdgeAdjacency& adjacency) {
-  std::vector<BadEdge> result;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Triangle& triangle = mesh.triangles[t];
-    if (repeatsVertex(triangle))
-      continue;
-    for (std::size_t e = 0; e < 3; ++e) {
-      const auto h = static_cast<Index>(3 * t + e);
-      if (adjacency.twin(h) != EdgeAdjacency::kNonManifold)
-        continue;
-      const auto [low, high] = std::minmax(triangle[e], triangle[(e + 1) % 3]);
-      result.push_back({low, high, h});
-    }
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
+/// What one pass over the half-edges finds.
+struct Census {
+  std::size_t border_edges = 0;
+  std::vector<BadEdge> bad_edges;
+  std::vector<Triangle> may_repeat; ///< triangles that may have the same vertices as another
 
-/// Sets of triangle corners (named by the half-edge that starts there) that meet at a vertex and
-/// share edges.
-class CornerSets {
-public:
-  explicit CornerSets(std::size_t corners)
-      : parent_(corners) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  Index find(Index c) {
-    while (parent_[cornerOf(c)] != c) {
-      parent_[cornerOf(c)] = parent_[cornerOf(parent_[cornerOf(c)])];
-      c = parent_[cornerOf(c)];
+  void take(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, std::size_t t) {
+    const auto first = static_cast<Index>(3 * t);
+    bool bad = false;
+    for (Index h = first; h < first + 3; ++h) {
+      border_edges += adjacency.isBorder(h) ? 1 : 0;
+      bad = bad || adjacency.twin(h) == EdgeAdjacency::kNonManifold;
     }
-    return c;
-  }
-  void join(Index a, Index b) {
-    a = find(a);
-    b = find(b);
-    parent_[cornerOf(std::max(a, b))] = std::min(a, b);
+    const Index twin = adjacency.twin(first);
+    // A triangle with the same vertices is the twin over every edge that is manifold.
+    if (bad || (twin >= 0 && twin / 3 == adjacency.twin(first + 1) / 3))
+      may_repeat.push_back(mesh.triangles[t]);
+    if (!bad || repeatsVertex(mesh.triangles[t]))
+      return;
+    for (std::size_t e = 0; e < 3; ++e)
+      if (adjacency.twin(first + static_cast<Index>(e)) == EdgeAdjacency::kNonManifold) {
+        const auto [low, high] = std::minmax(mesh.triangles[t][e], mesh.triangles[t][(e + 1) % 3]);
+        bad_edges.push_back({low, high, first + static_cast<Index>(e)});
+      }
   }
 
-private:
-  std::vector<Index> parent_;
+  void take(const Census& other) {
+    border_edges += other.border_edges;
+    bad_edges.insert(bad_edges.end(), other.bad_edges.begin(), other.bad_edges.end());
+    may_repeat.insert(may_repeat.end(), other.may_repeat.begin(), other.may_repeat.end());
+  }
 };
 
-/// The corner of half-edge h's triangle at \a vertex, one of h's ends.
-Index cornerAt(const TriangleMesh& mesh, Index h, Index vertex) {
-  return mesh.triangles[static_cast<std::size_t>(h / 3)][static_cast<std::size_t>(h % 3)] == vertex
-             ? h
-             : nextInTriangle(h);
+Census takeCensus(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, unsigned threads) {
+  std::vector<Census> blocks((mesh.triangles.size() + kGrain - 1) / kGrain);
+  parallelFor(mesh.triangles.size(), kGrain, threads, [&](std::size_t t) { blocks[t / kGrain].take(mesh, adjacency, t); });
+  Census all;
+  for (const Census& block : blocks)
+    all.take(block);
+  return all;
 }
 
-std::size_t countBowTies(const TriangleMesh& mesh, const EdgeAdjacency& adjacency,
-                         const std::vector<BadEdge>& bad) {
-  const auto corners = static_cast<Index>(3 * mesh.triangles.size());
-  CornerSets sets(static_cast<std::size_t>(corners));
-  for (Index c = 0; c < corners; ++c) {
-    const Index twin = adjacency.twin(previousInTriangle(c));
-    if (twin >= 0)
-      sets.join(c, twin);
-  }
-  for (std::size_t i = 1; i < bad.size(); ++i)
-    if (bad[i].sameEdge(bad[i - 1]))
-      for (const Index v : {bad[i].low, bad[i].high})
-        sets.join(cornerAt(mesh, bad[i].half_edge, v), cornerAt(mesh, bad[i - 1].half_edge, v));
-  std::vector<Index> first_set(mesh.vertices.size(), -1);
-  std::vector<bool> bow_tie(mesh.vertices.size(), false);
-  for (Index c = 0; c < corners; ++c) {
-    const Triangle& triangle = mesh.triangles[static_cast<std::size_t>(c / 3)];
-    if (repeatsVertex(triangle))
+std::size_t countDuplicates(std::vector<Triangle> triangles) {
+  for (Triangle& t : triangles)
+    std::sort(t.begin(), t.end());
+  std::sort(triangles.begin(), triangles.end());
+  return triangles.size() - static_cast<std::size_t>(std::unique(triangles.begin(), triangles.end()) - triangles.begin());
+}
+
+/// How many corners the fan around corner \a c has: those reached from it over manifold edges.
+std::size_t fanSize(const EdgeAdjacency& adjacency, Index c) {
+  std::size_t size = 1;
+  Index h = adjacency.twin(previousInTriangle(c));
+  for (; h >= 0 && h != c; h = adjacency.twin(previousInTriangle(h)))
+    ++size;
+  if (h == c)
+    return size;
+  for (h = adjacency.twin(c); h >= 0; h = adjacency.twin(nextInTriangle(h)))
+    ++size;
+  return size;
+}
+
+/// True if the corners at a vertex, those of proper triangles, do not all hang together over edges.
+bool fallsApart(const TriangleMesh& mesh, VertexCorners::Range corners) {
+  const auto startOf = [&mesh](Index h) { return mesh.triangles[cornerOf(h / 3)][cornerOf(h % 3)]; };
+  std::vector<std::pair<Index, std::size_t>> edges; // other end, corner
+  std::size_t count = 0;
+  for (const Index c : corners) {
+    if (repeatsVertex(mesh.triangles[cornerOf(c / 3)]))
       continue;
-    const auto v = static_cast<std::size_t>(triangle[static_cast<std::size_t>(c % 3)]);
-    const Index set = sets.find(c);
-    if (first_set[v] < 0)
-      first_set[v] = set;
-    else if (first_set[v] != set)
-      bow_tie[v] = true;
+    edges.emplace_back(startOf(nextInTriangle(c)), count);
+    edges.emplace_back(startOf(previousInTriangle(c)), count);
+    ++count;
   }
-  return static_cast<std::size_t>(std::count(bow_tie.begin(), bow_tie.end(), true));
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::size_t> set(count);
+  std::iota(set.begin(), set.end(), std::size_t{0});
+  std::size_t sets = count;
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    const std::size_t from = set[edges[i].second];
+    const std::size_t to = set[edges[i - 1].second];
+    if (edges[i].first != edges[i - 1].first || from == to)
+      continue;
+    std::replace(set.begin(), set.end(), from, to);
+    --sets;
+  }
+  return sets > 1;
 }
 
-void countEdges(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, TopologyReport& report) {
-  for (Index h = 0; h < static_cast<Index>(3 * mesh.triangles.size()); ++h)
-    report.border_edges += adjacency.isBorder(h) ? 1 : 0;
-  report.border_loops = borderLoops(mesh, adjacency).size();
-  const std::vector<BadEdge> bad = badEdges(mesh, adjacency);
+std::size_t countBowTies(const TriangleMesh& mesh, const MeshConnections& connections, unsigned threads) {
+  return sumOf(mesh.vertices.size(), threads, [&](std::size_t v) -> std::size_t {
+    const VertexCorners::Range corners = connections.corners.of(v);
+    const auto count = static_cast<std::size_t>(corners.last - corners.first);
+    return count > 1 && fanSize(connections.adjacency, *corners.first) < count && fallsApart(mesh, corners) ? 1 : 0;
+  });
+}
+
+void countEdges(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, unsigned threads, TopologyReport& report) {
+  Census census = takeCensus(mesh, adjacency, threads);
+  report.border_edges = census.border_edges;
+  report.border_loops = census.border_edges > 0 ? borderLoops(mesh, adjacency).size() : 0;
+  std::vector<BadEdge>& bad = census.bad_edges;
+  std::sort(bad.begin(), bad.end());
   for (std::size_t i = 0, j = 0; i < bad.size(); i = j) {
     while (j < bad.size() && bad[j].sameEdge(bad[i]))
       ++j;
     ++(j - i > 2 ? report.non_manifold_edges : report.inconsistent_edges);
   }
-  report.non_manifold_vertices = countBowTies(mesh, adjacency, bad);
-  report.duplicate_triangles = countDuplicates(mesh, adjacency);
+  report.duplicate_triangles = countDuplicates(std::move(census.may_repeat));
 }
 
-void countComponents(const TriangleMesh& mesh, TopologyReport& report) {
-  const Components components = connectedComponents(mesh);
+void countComponents(const Components& components, TopologyReport& report) {
   report.components = components.triangle_count.size();
   for (const std::size_t count : components.triangle_count)
     report.crumbs += count < kCrumbTriangles ? 1 : 0;
@@ -181,31 +184,23 @@ void countComponents(const TriangleMesh& mesh, TopologyReport& report) {
     static_cast<std::size_t>(std::count(components.of_vertex.begin(), components.of_vertex.end(), -1));
 }
 
-std::size_t countDegenerate(const TriangleMesh& mesh, unsigned threads) {
-  constexpr std::size_t kGrain = 1 << 14;
-  const double diagonal = boundsOf(mesh.vertices).diagonal();
-  std::vector<std::size_t> counts((mesh.triangles.size() + kGrain - 1) / kGrain, 0);
-  parallelFor(mesh.triangles.size(), kGrain, threads,
-              [&](std::size_t t) { counts[t / kGrain] += isDegenerate(mesh, mesh.triangles[t], diagonal) ? 1 : 0; });
-  return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
-}
-
 } // namespace
 
 TopologyReport checkTopology(const TriangleMesh& mesh, unsigned threads) {
   validate(mesh, "checking the topology", threads);
+  return checkTopology(mesh, MeshConnections(mesh, threads), connectedComponents(mesh), threads);
+}
+
+TopologyReport checkTopology(const TriangleMesh& mesh, const MeshConnections& connections, const Components& components, unsigned threads) {
   TopologyReport report;
   report.vertices = mesh.vertices.size();
   report.triangles = mesh.triangles.size();
-  report.degenerate_triangles = countDegenerate(mesh, threads);
-  const EdgeAdjacency adjacency(mesh, threads);
-  // Two searches that go from triangle to triangle: each on a thread of its own.
-  parallelFor(2, 1, threads, [&](std::size_t task) {
-    if (task == 0)
-      countEdges(mesh, adjacency, report);
-    else
-      countComponents(mesh, report);
-  });
+  const double diagonal = boundsOf(mesh.vertices).diagonal();
+  report.degenerate_triangles =
+    sumOf(mesh.triangles.size(), threads, [&](std::size_t t) -> std::size_t { return isDegenerate(mesh, mesh.triangles[t], diagonal) ? 1 : 0; });
+  countEdges(mesh, connections.adjacency, threads, report);
+  report.non_manifold_vertices = countBowTies(mesh, connections, threads);
+  countComponents(components, report);
   return report;
 }
 

@@ -11,6 +11,8 @@ namespace graben {
 /// \param[in] cut      with vertex normals
 /// \param[in] normals  of the grid's picks; those that are not finite say nothing
 /// \param[in] reach    picks farther than this say nothing
-std::vector<Index> trianglesAgainstPicks(const CutMesh& cut, const NeighborGrid& grid, const Points& normals, double reach);
+/// \param[in] threads  0: one per processor
+std::vector<Index> trianglesAgainstPicks(const CutMesh& cut, const NeighborGrid& grid, const Points& normals, double reach,
+                                        unsigned threads = 0);
 
 } // namespace graben

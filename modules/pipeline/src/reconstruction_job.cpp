@@ -184,7 +184,7 @@ void ReconstructionJob::orient() {
 
 void ReconstructionJob::readThrowsOff() {
   const LocalFrame& frame = result_.frame;
-  result_.cutoffs = cutoffLines(cut_.mesh, cut_.vertex_faults, &faults_);
+  result_.cutoffs = cutoffLines(cut_.mesh, cut_.vertex_faults, connections().adjacency, &faults_);
   result_.throws = readThrows(result_.cutoffs, faults_);
   for (CutoffLine& line : result_.cutoffs)
     for (Vector3& p : line.points)
@@ -211,9 +211,11 @@ void ReconstructionJob::handOutPicks(const std::vector<Index>& pieces) {
 }
 
 void ReconstructionJob::finish() {
-  if (options_.skip.tidy || !tidy())
+  if (options_.skip.tidy || cut_.mesh.empty())
     computeVertexNormals(cut_.mesh, options_.threads);
-  labelPieces(cut_.mesh);
+  else
+    tidy();
+  const Components components = labelPieces(cut_.mesh);
   if (options_.keep_picks)
     normals_ = std::move(planes_.normals);
   planes_ = TangentPlanes();
@@ -224,7 +226,7 @@ void ReconstructionJob::finish() {
   grid_ = NeighborGrid();
   for (const auto& [pick, place] : aside_)
     picks_.points[static_cast<std::size_t>(pick)] = place;
-  const std::vector<Index> pieces = evaluate(cut_, faults_, picks_.points, zone_, options_.threads, result_.report);
+  const std::vector<Index> pieces = evaluate({cut_, connections(), components, faults_, picks_.points, zone_}, options_.threads, result_.report);
   if (options_.keep_picks)
     handOutPicks(pieces);
   picks_ = OrderedPicks();

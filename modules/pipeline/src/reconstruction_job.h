@@ -7,9 +7,12 @@
 
 #include "graben/features/neighbor_grid.h"
 #include "graben/features/tangent_planes.h"
+#include "graben/mesh/connections.h"
 #include "graben/surface/cut_mesh.h"
 #include "graben/surface/sheet_extraction.h"
 #include "graben/surface/signed_distance.h"
+
+#include <optional>
 
 namespace graben {
 
@@ -41,9 +44,11 @@ private:
   void cut(SheetMesh sheets);
   void fit();
   void refineLocally();
-  bool tidy();
+  void tidy();
+  bool unfold();
   std::vector<Index> trianglesAgainstPicks() const;
   std::size_t remove(const std::vector<Index>& triangles);
+  const MeshConnections& connections();
   SignedDistanceOptions distanceOptions() const;
   Vector3 latticeOrigin() const;
 
@@ -66,6 +71,7 @@ private:
   Points normals_;          ///< those of the planes, after the planes have gone
   std::vector<Index> zone_; ///< the paper's X_S, picks set aside included
   CutMesh cut_;
+  std::optional<MeshConnections> connections_; ///< of the mesh as it is after the fit
 };
 
 } // namespace graben

@@ -13,6 +13,7 @@
 #include "graben/surface/fault_cut.h"
 #include "graben/surface/local_fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace graben {
@@ -21,9 +22,8 @@ namespace {
 
 constexpr int kUnfoldRounds = 4;
 
-/// E(M, X) over the zone, before the picks set aside are back among the points.
-DistanceStatistics zoneError(const TriangleMesh& mesh, const Points& points, const std::vector<Index>& zone,
-                             const std::vector<std::pair<Index, Vector3>>& aside, unsigned threads) {
+/// The picks in the zone, before those set aside are back among the points.
+Points zonePoints(const Points& points, const std::vector<Index>& zone, const std::vector<std::pair<Index, Vector3>>& aside) {
   Points zone_points;
   zone_points.reserve(zone.size());
   auto next = aside.begin();
@@ -33,7 +33,21 @@ DistanceStatistics zoneError(const TriangleMesh& mesh, const Points& points, con
     const bool is_aside = next != aside.end() && next->first == pick;
     zone_points.push_back(is_aside ? next->second : points[static_cast<std::size_t>(pick)]);
   }
-  return approximationError(mesh, zone_points, threads);
+  return zone_points;
+}
+
+/// The corners of all triangles that share a corner with those named, in rising order.
+std::vector<Index> verticesAround(const TriangleMesh& mesh, const VertexCorners& corners, const std::vector<Index>& triangles) {
+  std::vector<Index> found;
+  for (const Index t : triangles)
+    for (const Index v : mesh.triangles[static_cast<std::size_t>(t)])
+      for (const Index corner : corners.of(static_cast<std::size_t>(v))) {
+        const Triangle& near = mesh.triangles[static_cast<std::size_t>(corner / 3)];
+        found.insert(found.end(), near.begin(), near.end());
+      }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 } // namespace
@@ -89,7 +103,8 @@ void ReconstructionJob::cut(SheetMesh sheets) {
 
 void ReconstructionJob::fit() {
   const UsedParameters& used = result_.report.used;
-  result_.report.zone_before_fit = zoneError(cut_.mesh, picks_.points, zone_, aside_, options_.threads);
+  result_.report.zone_before_fit = approximationErrorInZone(cut_.mesh, zonePoints(picks_.points, zone_, aside_), faults_, used.zone_width,
+                                                            used.voxel_size, options_.threads);
   if (options_.fit == FitMode::Off)
     return;
   ZoneFitOptions zone;
@@ -117,36 +132,45 @@ void ReconstructionJob::refineLocally() {
 }
 
 /// A few triangles, mostly in the corners between faults, may be folded over or still reach over a fault after the fit; none may stay.
-/// \return true if the mesh has the normals of what it is now
-bool ReconstructionJob::tidy() {
-  if (cut_.mesh.empty())
-    return false;
-  bool settled = false;
-  for (int round = 0; round < kUnfoldRounds && !settled; ++round) {
-    computeVertexNormals(cut_.mesh, options_.threads);
-    const std::vector<Index> turned = turnedTriangles(cut_, true);
-    relaxTriangles(cut_, turned);
-    const std::vector<Index> folded = foldedTriangles(cut_.mesh, options_.threads);
-    relaxTriangles(cut_, folded);
-    const std::vector<Index> against = trianglesAgainstPicks();
-    relaxTriangles(cut_, against);
-    settled = turned.empty() && folded.empty() && against.empty();
-  }
+/// The mesh then has its normals.
+void ReconstructionJob::tidy() {
+  const bool settled = unfold();
   if (!settled) {
-    computeVertexNormals(cut_.mesh, options_.threads);
-    result_.report.folds_removed = remove(turnedTriangles(cut_, true));
-    result_.report.folds_removed += remove(foldedTriangles(cut_.mesh, options_.threads));
+    result_.report.folds_removed = remove(turnedTriangles(cut_, true, options_.threads));
+    result_.report.folds_removed += remove(foldedTriangles(cut_.mesh, connections().adjacency, options_.threads));
     result_.report.folds_removed += remove(trianglesAgainstPicks());
   }
   const double tolerance = kOnFault * result_.report.used.voxel_size;
   if (!faults_.empty())
     result_.report.bridges_removed = remove(bridgingTriangles(cut_.mesh, faults_, tolerance, options_.threads));
-  return settled && result_.report.bridges_removed == 0;
+  if (!settled || result_.report.bridges_removed > 0)
+    computeVertexNormals(cut_.mesh, connections().corners, options_.threads);
+}
+
+/// Relaxes folds until there are none, for a few rounds; the mesh then has its normals. \return true if none are left
+bool ReconstructionJob::unfold() {
+  computeVertexNormals(cut_.mesh, connections().corners, options_.threads);
+  for (int round = 0; round < kUnfoldRounds; ++round) {
+    std::vector<Index> relaxed;
+    const auto relax = [&](const std::vector<Index>& triangles) {
+      relaxTriangles(cut_, triangles);
+      relaxed.insert(relaxed.end(), triangles.begin(), triangles.end());
+    };
+    relax(turnedTriangles(cut_, true, options_.threads));
+    relax(foldedTriangles(cut_.mesh, connections().adjacency, options_.threads));
+    relax(trianglesAgainstPicks());
+    if (relaxed.empty())
+      return true;
+    updateVertexNormals(cut_.mesh, connections().corners, verticesAround(cut_.mesh, connections().corners, relaxed), options_.threads);
+  }
+  return false;
 }
 
 /// Only faults make any; on a thin part of an object the nearest pick may well be one of its far side.
 std::vector<Index> ReconstructionJob::trianglesAgainstPicks() const {
-  return faults_.empty() ? std::vector<Index>() : graben::trianglesAgainstPicks(cut_, grid_, planes_.normals, result_.report.used.fault_reach);
+  if (faults_.empty())
+    return {};
+  return graben::trianglesAgainstPicks(cut_, grid_, planes_.normals, result_.report.used.fault_reach, options_.threads);
 }
 
 std::size_t ReconstructionJob::remove(const std::vector<Index>& triangles) {
@@ -154,7 +178,14 @@ std::size_t ReconstructionJob::remove(const std::vector<Index>& triangles) {
     return 0;
   removeTriangles(cut_, triangles, options_.threads);
   result_.report.crumbs_removed += removeCrumbs(cut_, surface_defaults::kCrumb);
+  connections_.reset();
   return triangles.size();
+}
+
+const MeshConnections& ReconstructionJob::connections() {
+  if (!connections_)
+    connections_.emplace(cut_.mesh, options_.threads);
+  return *connections_;
 }
 
 } // namespace graben

@@ -41,6 +41,12 @@ DistanceStatistics approximationError(const TriangleBvh& mesh, const Points& pic
 DistanceStatistics approximationError(const TriangleMesh& mesh, const Points& picks,
                                       const std::vector<Index>& selection, unsigned threads = 0);
 
+/// The same for picks that all lie within \a width of a fault, most of them within \a reach of the surface: looks at the part of the mesh near the
+/// faults, and at all of it only for picks farther from that.
+/// \throw InvalidInputError as above
+DistanceStatistics approximationErrorInZone(const TriangleMesh& mesh, const Points& picks, const FaultNetwork& network, double width, double reach,
+                                            unsigned threads = 0);
+
 /// The picks within \a width of any fault, in rising order: the paper's X_S.
 /// \param[in] width distance to the fault surface, 0 or more, unit of the coordinates
 /// \throw InvalidInputError if the width is negative or NaN

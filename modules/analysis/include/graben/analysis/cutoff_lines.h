@@ -1,7 +1,7 @@
 #pragma once
 
 #include "graben/faults/fault_network.h"
-#include "graben/mesh/triangle_mesh.h"
+#include "graben/mesh/adjacency.h"
 
 #include <array>
 #include <vector>
@@ -22,6 +22,10 @@ struct CutoffLine {
 /// In the order of the faults, then the footwall before the hanging wall, then of their first edge; O(n log n), deterministic.
 /// \throw InvalidInputError if vertex_faults has not one entry per vertex
 std::vector<CutoffLine> cutoffLines(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults,
+                                    const FaultNetwork* faults = nullptr);
+
+/// The same where the mesh's adjacency is at hand.
+std::vector<CutoffLine> cutoffLines(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults, const EdgeAdjacency& adjacency,
                                     const FaultNetwork* faults = nullptr);
 
 } // namespace graben

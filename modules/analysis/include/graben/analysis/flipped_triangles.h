@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graben/mesh/triangle_mesh.h"
+#include "graben/mesh/adjacency.h"
 
 #include <vector>
 
@@ -21,6 +21,9 @@ constexpr double kFoldAngle = 120.0;
 /// \throw InvalidInputError if the mesh is not valid
 /// \param[in] threads 0: one per processor
 std::vector<Index> foldedTriangles(const TriangleMesh& mesh, unsigned threads = 0);
+
+/// The same for a valid mesh whose adjacency is at hand.
+std::vector<Index> foldedTriangles(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, unsigned threads = 0);
 
 /// The triangles that face away from the true surface, in rising order: their normal and that of
 /// the nearest true triangle differ by more than 90 degrees.

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "graben/mesh/triangle_mesh.h"
+#include "graben/mesh/components.h"
+#include "graben/mesh/connections.h"
 
 #include <cstddef>
 
@@ -41,5 +42,8 @@ struct TopologyReport {
 /// \throw InvalidInputError if the mesh is not valid (see validate)
 /// \param[in] threads 0: one per processor
 TopologyReport checkTopology(const TriangleMesh& mesh, unsigned threads = 0);
+
+/// The same for a valid mesh whose connections and components are at hand.
+TopologyReport checkTopology(const TriangleMesh& mesh, const MeshConnections& connections, const Components& components, unsigned threads = 0);
 
 } // namespace graben
