@@ -46,6 +46,25 @@ TEST(ApproximationError, FromDistancesAtHandIsTheSame) {
   EXPECT_THROW(approximationError(found.distance, std::vector<Index>{5}), InvalidInputError);
 }
 
+TEST(ApproximationError, InTheZoneFromTheMeshNearTheFaultsIsTheSame) {
+  const TriangleMesh mesh = test::gridMesh(40);
+  const FaultNetwork faults = test::network(test::wall(20.0, 5.0, 35.0));
+  std::mt19937_64 generator(7);
+  Points picks{{kNan, 20, 0}, {20, 20, 9}}; // the last is farther from the surface than the reach
+  for (int i = 0; i < 200; ++i)
+    picks.emplace_back(test::uniform(generator, 18, 22), test::uniform(generator, 5, 35), test::uniform(generator, -3, 3));
+  const DistanceStatistics all = approximationError(mesh, picks);
+  for (const double reach : {0.1, 1.0, 20.0}) {
+    const DistanceStatistics zone = approximationErrorInZone(mesh, picks, faults, 2.0, reach);
+    EXPECT_EQ(zone.count, 201U);
+    EXPECT_EQ(zone.mean_square, all.mean_square);
+    EXPECT_EQ(zone.max, all.max);
+  }
+  EXPECT_EQ(approximationErrorInZone(mesh, picks, FaultNetwork(), 2.0, 1.0).mean_square, all.mean_square);
+  EXPECT_EQ(approximationErrorInZone(mesh, {}, faults, 2.0, 1.0).count, 0U);
+  EXPECT_THROW(approximationErrorInZone(TriangleMesh(), {}, faults, 2.0, 1.0), InvalidInputError);
+}
+
 TEST(ApproximationError, NeedsASurface) {
   EXPECT_THROW(approximationError(TriangleMesh(), kPicks), InvalidInputError);
 }
