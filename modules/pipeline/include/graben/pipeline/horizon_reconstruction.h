@@ -26,7 +26,7 @@ struct FaultGeometry {
 /// Everything that can be set. A value of 0 means: estimate it from the picks.
 struct ReconstructionOptions {
   double voxel_size = 0.0;   ///< h, edge of a marching-cubes cell, in the picks' x, y units; 0: the picks' mean distance
-  std::size_t neighbors = 0; ///< K, picks a tangent plane is fitted to, 3 or more; more is smoother; 0: 15, and up to 60 where the noise is large against the picks' distance or the voxel
+  std::size_t neighbors = 0; ///< K, picks a tangent plane is fitted to, 3 or more; more is smoother; 0: 15, and up to 60 where the noise is large
   double rho = 0.0;          ///< the cloud is rho-dense, in x, y units; holes wider than about twice this stay open
   double delta = 0.0;        ///< the cloud is delta-noisy, in x, y units
   double flip_angle = 60.0;  ///< degrees, 0 to 180; 180: off
