@@ -1,7 +1,7 @@
 #include "extrapolation.h"
 
 #include "graben/core/threads.h"
-#include "graben/surface/zone_fit.h"
+#include "graben/surface/viewpoints.h"
 
 #include <Eigen/Geometry>
 
@@ -46,13 +46,13 @@ double area(const TriangleMesh& mesh, const Triangle& t) {
 
 Extrapolation markExtrapolation(CutMesh& cut, const NeighborGrid& picks, const FaultNetwork& faults, const ExtrapolationOptions& options) {
   TriangleMesh& mesh = cut.mesh;
-  const Points from = viewpoints(cut);
+  const Viewpoints from(cut);
   std::vector<float>& distance = mesh.scalars["pick_distance"];
   std::vector<float>& extrapolated = mesh.scalars["extrapolated"];
   distance.resize(mesh.vertices.size());
   extrapolated.resize(mesh.vertices.size());
   parallelFor(mesh.vertices.size(), 256, options.threads, [&](std::size_t v) {
-    const double d = distanceToPicks(mesh.vertices[v], from[v], picks, faults);
+    const double d = distanceToPicks(mesh.vertices[v], from.of(static_cast<Index>(v)), picks, faults);
     distance[v] = static_cast<float>(d);
     extrapolated[v] = d > options.limit ? 1.0F : 0.0F;
   });

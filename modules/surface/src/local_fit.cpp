@@ -21,6 +21,7 @@ constexpr double kNormalLimit = 0.34; // cosine of 70 degrees
 constexpr double kPi = 3.14159265358979;
 constexpr double kMore = 1.2;        // share of picks collected over those wanted
 constexpr std::size_t kExactBelow = 45; // picks wanted up to which the disc is made to hold just these
+constexpr double kExactEnough = 1e-3; // of the way to a surface
 constexpr double kBlunder = 7.0;     // residual over the median one, 4.7 standard deviations of Gaussian noise
 constexpr int kBlunderRounds = 3;
 
@@ -51,6 +52,8 @@ LocalEstimate LocalSurface::from(const Vector3& place, const Vector3& direction)
   const Vector3 d = place - centre;
   const double along_u = direction.dot(u) / radius, along_v = direction.dot(v) / radius, along = direction.dot(normal);
   const double at_u = d.dot(u) / radius, at_v = d.dot(v) / radius, height = d.dot(normal);
+  // Second derivatives within the support are no larger: where they cannot matter one step is enough.
+  const double bend = std::abs(c[3]) + std::abs(c[4]) + std::abs(c[5]) + 3.0 * (std::abs(c[6]) + std::abs(c[7]) + std::abs(c[8]) + std::abs(c[9]));
   for (int step = 0; step < 2; ++step) {
     const double x = at_u + e.offset * along_u, y = at_v + e.offset * along_v;
     const double slope_u = c[1] + 2.0 * c[3] * x + c[4] * y + 3.0 * c[6] * x * x + 2.0 * c[7] * x * y + c[8] * y * y;
@@ -62,6 +65,8 @@ LocalEstimate LocalSurface::from(const Vector3& place, const Vector3& direction)
     detail::heightOf(c.data(), x, y, fitted);
     e.offset += (fitted - height - e.offset * along) / rate;
     e.normal = normal - slope_u / radius * u - slope_v / radius * v;
+    if (bend * (along_u * along_u + along_v * along_v) * std::abs(e.offset) < kExactEnough)
+      break;
   }
   e.normal *= (e.normal.dot(direction) < 0.0 ? -1.0 : 1.0) / e.normal.norm();
   e.valid = valid && std::isfinite(e.offset);
@@ -124,6 +129,10 @@ double LocalFit::gather(LocalSurface& frame, const Vector3& viewpoint, std::size
     frame.radius = std::sqrt(kRim * *last);
   }
   return frame.radius;
+}
+
+void LocalFit::keepWithin(double radius, Scratch& s) {
+  detail::keepIf(arrays(s), s.count, [&](std::size_t i) { return s.squared[i] <= radius * radius; });
 }
 
 /// The picks gathered, in units of the support, and their weights.

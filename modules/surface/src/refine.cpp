@@ -1,7 +1,7 @@
 #include "graben/core/threads.h"
 #include "graben/mesh/normals.h"
 #include "graben/surface/local_fit.h"
-#include "graben/surface/zone_fit.h"
+#include "graben/surface/viewpoints.h"
 
 #include "surface_patches.h"
 #include "tip_lines.h"
@@ -42,6 +42,8 @@ LocalModel beyond(LocalModel model) {
 }
 
 constexpr std::size_t kLeastAtTip = 24; // picks in a support next to a tip
+constexpr std::size_t kMostInBlock = 64;
+constexpr double kBlockSize = 4.0; // in reaches of the widest patch
 
 /// Moves the vertices named, all away from the belt and any within it, to the surface as the patches or a fit of their own tell it.
 class Refiner {
@@ -50,61 +52,96 @@ public:
     : cut_(cut), fit_(fit), options_(options), patches_(fit, options.models, 0.5 * options.zone_width, options.threads),
       support_(fit.usualRadius(options.models.near.neighbors)), tips_(fit.faults(), fit.grid(), 0.5 * fit.usualRadius(3), support_) {}
 
-  /// The vertex's new place; its normal becomes that of the surface.
-  Vector3 placeOf(Index vertex, const Vector3& viewpoint, LocalFit::Scratch& scratch, detail::SurfacePatches::Scratch& patch_scratch) const {
-    const auto v = static_cast<std::size_t>(vertex);
-    const Vector3& at = cut_.mesh.vertices[v];
-    Vector3& normal = cut_.mesh.normals[v];
-    const LocalEstimate e = estimate(at, viewpoint, normal, scratch, patch_scratch);
-    if (!e.valid)
-      return at;
-    const std::array<Index, 2>& on = cut_.vertex_faults[v];
-    Vector3 step = on[0] < 0 ? Vector3(e.offset * normal) : stepOnFaults(fit_.faults(), on, at, normal, e.offset);
-    const double length = step.norm();
-    if (options_.max_step > 0.0 && length > options_.max_step)
-      step *= options_.max_step / length;
-    normal = e.normal;
-    return ontoFaults(fit_.faults(), on, at + step);
-  }
-
-  /// \param[in] vertices those to place
-  void pass(const std::vector<Index>& vertices, const VertexMover& mover) {
-    const Points viewpoint = viewpoints(cut_);
-    Points targets = cut_.mesh.vertices;
-    parallelBlocks(vertices.size(), 128, options_.threads, [&](std::size_t begin, std::size_t end) {
-      LocalFit::Scratch scratch;
-      detail::SurfacePatches::Scratch patch_scratch;
-      for (std::size_t i = begin; i < end; ++i) {
-        const auto v = static_cast<std::size_t>(vertices[i]);
-        targets[v] = placeOf(vertices[i], viewpoint[v], scratch, patch_scratch);
+  /// Moves the vertices named. \return those of them that took the longest step allowed
+  std::vector<Index> pass(const std::vector<Index>& vertices, const VertexMover& mover) {
+    const Viewpoints viewpoints(cut_);
+    Points targets = mover.places(cut_);
+    std::vector<std::uint8_t> stopped(vertices.size(), 0);
+    parallelBlocks(vertices.size(), 256, options_.threads, [&](std::size_t begin, std::size_t end) {
+      Block block;
+      for (std::size_t i = begin; i < end;) {
+        const std::size_t last = nextBlock(vertices, i, end, block);
+        for (; i < last; ++i) {
+          const Vector3 step = stepOf(vertices[i], viewpoints.of(vertices[i]), block, stopped[i]);
+          if (!step.isZero(0.0))
+            mover.send(vertices[i], ontoFaults(fit_.faults(), on(vertices[i]), placeOf(vertices[i]) + step), cut_, targets);
+        }
       }
     });
     mover.move(cut_, std::move(targets));
+    std::vector<Index> longest;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      if (stopped[i] != 0)
+        longest.push_back(vertices[i]);
+    return longest;
   }
 
 private:
+  /// What lies near some vertices that lie near each other.
+  struct Block {
+    bool near_tips = false;
+    detail::SurfacePatches::Block patches;
+    LocalFit::Scratch scratch;
+  };
+
+  const std::array<Index, 2>& on(Index vertex) const { return cut_.vertex_faults[static_cast<std::size_t>(vertex)]; }
+  const Vector3& placeOf(Index vertex) const { return cut_.mesh.vertices[static_cast<std::size_t>(vertex)]; }
+
+  /// Makes ready for vertices number \a i and some that follow. \return the number behind the last of them
+  std::size_t nextBlock(const std::vector<Index>& vertices, std::size_t i, std::size_t end, Block& block) const {
+    Bounds box;
+    box.extend(placeOf(vertices[i]));
+    for (end = std::min(end, ++i + kMostInBlock - 1); i < end; ++i) {
+      Bounds more = box;
+      more.extend(placeOf(vertices[i]));
+      if (more.diagonal() > kBlockSize * patches_.reach())
+        break;
+      box = more;
+    }
+    block.near_tips = tips_.mayReach(box, support_);
+    patches_.gather(box, block.patches);
+    return i;
+  }
+
+  /// The vertex's way to the surface; its normal becomes that of the surface. \param[out] stopped whether it was cut short
+  Vector3 stepOf(Index vertex, const Vector3& viewpoint, Block& block, std::uint8_t& stopped) const {
+    Vector3& normal = cut_.mesh.normals[static_cast<std::size_t>(vertex)];
+    const LocalEstimate e = estimate(placeOf(vertex), viewpoint, normal, block);
+    if (!e.valid)
+      return Vector3::Zero();
+    Vector3 step = cut_.onFault(vertex) ? stepOnFaults(fit_.faults(), on(vertex), placeOf(vertex), normal, e.offset) : Vector3(e.offset * normal);
+    const double length = step.norm();
+    stopped = options_.max_step > 0.0 && length > options_.max_step ? 1 : 0;
+    if (stopped != 0)
+      step *= options_.max_step / length;
+    normal = e.normal;
+    return step;
+  }
+
   bool isNear(const Vector3& place) const {
     return !fit_.faults().empty() && fit_.faults().nearest(place, 0.5 * options_.zone_width).fault >= 0;
   }
 
-  LocalEstimate estimate(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, LocalFit::Scratch& scratch,
-                         detail::SurfacePatches::Scratch& patch_scratch) const {
+  LocalEstimate estimate(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, Block& block) const {
     const ModelChoice& models = options_.models;
-    const double to_tip = tips_.distance(at, support_);
-    if (to_tip < support_)
-      return fit_.at(at, viewpoint, normal, atTip(to_tip), scratch);
+    LocalFit::Scratch& scratch = block.scratch;
+    if (block.near_tips) {
+      const double to_tip = tips_.distance(at, support_);
+      if (to_tip < support_)
+        return fit_.at(at, viewpoint, normal, atTip(to_tip), scratch);
+    }
     if (!detail::SurfacePatches::worthwhile(models.away) || !detail::SurfacePatches::worthwhile(models.near)) {
       const LocalModel& model = isNear(at) ? models.near : models.away;
       if (!detail::SurfacePatches::worthwhile(model))
         return fit_.at(at, viewpoint, normal, model, scratch);
     }
-    const LocalEstimate e = patches_.at(at, viewpoint, normal, patch_scratch);
-    if (e.valid && patch_scratch.narrower > 0) {
-      const LocalEstimate own = fit_.at(at, viewpoint, normal, {2, patch_scratch.narrower, models.near.slope_weight}, scratch);
+    const detail::SurfacePatches::Estimate e = patches_.at(at, viewpoint, normal, block.patches);
+    if (e.valid && e.narrower > 0) {
+      const LocalEstimate own = fit_.at(at, viewpoint, normal, {2, e.narrower, models.near.slope_weight}, scratch);
       if (own.valid)
         return own;
     }
-    return e.valid ? e : fit_.at(at, viewpoint, normal, isNear(at) ? beyond(models.near) : models.edge, scratch);
+    return e.valid ? LocalEstimate(e) : fit_.at(at, viewpoint, normal, isNear(at) ? beyond(models.near) : models.edge, scratch);
   }
 
   /// Next to a tip throw changes faster than elsewhere, as a square root: the support shrinks so as not to reach past it.
@@ -134,16 +171,10 @@ void refine(CutMesh& cut, const LocalFit& fit, const RefineOptions& options) {
   std::vector<Index> vertices(cut.mesh.vertices.size());
   std::iota(vertices.begin(), vertices.end(), 0);
   for (unsigned pass = 0; pass < options.passes; ++pass) {
-    const Points before = cut.mesh.vertices;
-    refiner.pass(vertices, mover);
-    // Vertices away from faults are on the surface now; those that took the longest step or may have been moved along a fault go again.
-    std::vector<Index> again = mover.belt();
-    for (const Index v : vertices)
-      if (options.max_step > 0.0 && (cut.mesh.vertices[static_cast<std::size_t>(v)] - before[static_cast<std::size_t>(v)]).norm() > 0.99 * options.max_step)
-        again.push_back(v);
-    std::sort(again.begin(), again.end());
-    again.erase(std::unique(again.begin(), again.end()), again.end());
-    vertices = std::move(again);
+    // Vertices away from faults are on the surface then; those cut short or that may have been moved along a fault go again.
+    const std::vector<Index> longest = refiner.pass(vertices, mover);
+    vertices.clear();
+    std::set_union(mover.belt().begin(), mover.belt().end(), longest.begin(), longest.end(), std::back_inserter(vertices));
   }
 }
 

@@ -1,9 +1,6 @@
 #include "surface_patches.h"
 
-#include "box_around.h"
-
 #include "graben/core/threads.h"
-#include "graben/faults/fault_signature.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +37,7 @@ std::size_t narrowerSupport(const LocalFit& fit, LocalSurface patch, LocalModel 
     model.neighbors /= 4;
     const double height = patch.coefficients[0];
     patch.radius *= 0.5;
+    LocalFit::keepWithin(patch.radius, scratch);
     const double leverage = fit.solve(patch, model, scratch, pick);
     if (!patch.valid || !(std::abs(patch.coefficients[0] - height) > kTellsApart * error * std::sqrt(leverage)) || leverage == 0.0)
       break;
@@ -103,39 +101,62 @@ void SurfacePatches::choosePicks(const ModelChoice& models, double near_distance
     }
 }
 
-LocalEstimate SurfacePatches::at(const Vector3& place, const Vector3& viewpoint, const Vector3& direction, Scratch& scratch) const {
-  grid_.collectWithin(place, scratch.reach > 0.0 ? scratch.reach : widest_, scratch.around);
-  const FaultNetwork& faults = fit_.faults();
-  const bool near_faults = !faults.empty() && scratch.around.count > 0 && faults.mayTouch(boxAround(place, widest_));
-  LocalEstimate mean;
+void SurfacePatches::gather(const Bounds& box, Block& block) const {
+  const Vector3 middle = 0.5 * (box.low + box.high);
+  grid_.collectWithin(middle, widest_ + 0.5 * box.diagonal(), block.around);
+  block.patches.assign(block.around.index.begin(), block.around.index.begin() + static_cast<std::ptrdiff_t>(block.around.count));
+  const auto outOfReach = [&](Index p) {
+    const Vector3& centre = centres_[static_cast<std::size_t>(p)];
+    const double reach = kShare * patches_[static_cast<std::size_t>(p)].radius;
+    return (box.low - centre).cwiseMax(centre - box.high).cwiseMax(0.0).squaredNorm() >= reach * reach;
+  };
+  block.patches.erase(std::remove_if(block.patches.begin(), block.patches.end(), outOfReach), block.patches.end());
+  std::sort(block.patches.begin(), block.patches.end()); // the same order of sums, whatever the block
+  for (std::vector<double>* values : {&block.x, &block.y, &block.z, &block.inverse_square})
+    values->clear();
+  for (const Index p : block.patches) {
+    const Vector3& centre = centres_[static_cast<std::size_t>(p)];
+    const double reach = kShare * patches_[static_cast<std::size_t>(p)].radius;
+    block.x.push_back(centre.x());
+    block.y.push_back(centre.y());
+    block.z.push_back(centre.z());
+    block.inverse_square.push_back(1.0 / (reach * reach));
+  }
+  Bounds wide = box;
+  wide.low.array() -= widest_;
+  wide.high.array() += widest_;
+  block.faults = block.patches.empty() ? LocalFaults() : LocalFaults(fit_.faults(), fit_.borders(), wide);
+}
+
+SurfacePatches::Estimate SurfacePatches::at(const Vector3& place, const Vector3& viewpoint, const Vector3& direction, const Block& block) const {
+  Estimate mean;
   mean.normal.setZero();
-  double total = 0.0, reach = 0.0, too_wide = 0.0;
-  scratch.narrower = 0;
-  for (std::size_t i = 0; i < scratch.around.count; ++i) {
-    const auto p = static_cast<std::size_t>(scratch.around.index[i]);
-    const LocalSurface& patch = patches_[p];
-    const double own_reach = kShare * patch.radius;
-    const double share = scratch.around.squared_distance[i] / (own_reach * own_reach);
-    if (share >= 1.0 || patch.normal.dot(direction) < kNormalLimit)
+  double total = 0.0, too_wide = 0.0;
+  for (std::size_t i = 0; i < block.patches.size(); ++i) {
+    const double dx = block.x[i] - place.x(), dy = block.y[i] - place.y(), dz = block.z[i] - place.z();
+    const double share = (dx * dx + dy * dy + dz * dz) * block.inverse_square[i];
+    if (share >= 1.0)
       continue;
-    if (near_faults && !sameSide(faults, fit_.grid().points()[static_cast<std::size_t>(picks_[p])], viewpoint))
+    const auto p = static_cast<std::size_t>(block.patches[i]);
+    const LocalSurface& patch = patches_[p];
+    if (patch.normal.dot(direction) < kNormalLimit)
+      continue;
+    if (!block.faults.empty() && !block.faults.sameSide(fit_.grid().points()[static_cast<std::size_t>(picks_[p])], viewpoint))
       continue;
     const LocalEstimate e = patch.from(place, direction);
     if (!e.valid)
       continue;
     const double weight = (1.0 - share) * (1.0 - share);
-    reach = std::max(reach, own_reach);
     mean.offset += weight * e.offset;
     mean.normal += weight * e.normal;
     total += weight;
     if (narrower_[p] != 0) {
       too_wide += weight;
-      scratch.narrower = std::max<std::size_t>(scratch.narrower, narrower_[p]);
+      mean.narrower = std::max<std::size_t>(mean.narrower, narrower_[p]);
     }
   }
   if (too_wide < 0.5 * total)
-    scratch.narrower = 0;
-  scratch.reach = reach > 0.0 ? std::min(widest_, 1.5 * reach) : 0.0;
+    mean.narrower = 0;
   if (total < kLeastWeight)
     return mean;
   mean.offset /= total;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "local_faults.h"
+
 #include "graben/surface/local_fit.h"
 
 #include <cstdint>
@@ -19,15 +21,27 @@ public:
   /// patches would blur it. No patches are made of such a model.
   static bool worthwhile(const LocalModel& model) { return model.neighbors > 45; }
 
-  struct Scratch {
+  /// What lies near a block of places: working memory, kept by the caller from block to block.
+  struct Block {
+    std::vector<Index> patches;                  ///< that may reach a place of the block
+    std::vector<double> x, y, z, inverse_square; ///< their centres, and 1 / square of their reach
+    LocalFaults faults;
     PointsAround around;
-    double reach = 0.0;
-    std::size_t narrower = 0; ///< picks of the support that the place last asked for needs, where the surface bends more sharply than elsewhere; 0: it doesn't
   };
 
-  /// The patches' surface as seen from a place along a unit direction; not valid where none reaches.
+  /// Makes ready for places in a box. The smaller the box in comparison to reach(), the cheaper.
+  void gather(const Bounds& box, Block& block) const;
+
+  struct Estimate : LocalEstimate {
+    std::size_t narrower = 0; ///< picks of the support that the place needs, where the surface bends more sharply than elsewhere; 0: the patches do
+  };
+
+  /// The patches' surface as seen from a place of the block along a unit direction; not valid where none reaches.
   /// \param[in] viewpoint from where it is asked which patches lie on the same side of the faults
-  LocalEstimate at(const Vector3& place, const Vector3& viewpoint, const Vector3& direction, Scratch& scratch) const;
+  Estimate at(const Vector3& place, const Vector3& viewpoint, const Vector3& direction, const Block& block) const;
+
+  /// Distance to which the widest patch is used.
+  double reach() const { return widest_; }
 
 private:
   void choosePicks(const ModelChoice& models, double near_distance, unsigned threads);

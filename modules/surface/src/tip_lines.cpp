@@ -43,4 +43,8 @@ double TipLines::distance(const Vector3& place, double limit) const {
   return faults_.crosses(place, place + kShortOf * (tip - place)) ? limit : std::sqrt(nearest.squared_distance);
 }
 
+bool TipLines::mayReach(const Bounds& box, double limit) const {
+  return grid_.nearestOne(0.5 * (box.low + box.high), 1.001 * (limit + 0.5 * box.diagonal())).index >= 0;
+}
+
 } // namespace graben::detail

@@ -19,6 +19,9 @@ public:
   /// Distance from \a place to the nearest tip in sight, at most \a limit. The end of a branch behind its main fault is out of sight.
   double distance(const Vector3& place, double limit) const;
 
+  /// False if no place in the box is within \a limit of a tip.
+  bool mayReach(const Bounds& box, double limit) const;
+
 private:
   const FaultNetwork& faults_;
   Points places_;

@@ -17,12 +17,6 @@ constexpr int kPullRounds = 6;
 constexpr double kStop = 0.6;    // where a vertex stops on its way to a fault
 constexpr double kShortOfFault = 0.97;
 
-/// True if a fault lies between a vertex off the faults and a neighbour; a neighbour on a fault is asked for just short of it.
-bool hidden(const CutMesh& cut, const FaultNetwork& faults, const Points& targets, const Vector3& from, Index neighbor) {
-  const Vector3& at = targets[static_cast<std::size_t>(neighbor)];
-  return !sameSide(faults, from, cut.onFault(neighbor) ? Vector3(from + kShortOfFault * (at - from)) : at);
-}
-
 } // namespace
 
 Vector3 ontoFaults(const FaultNetwork& faults, const std::array<Index, 2>& on, Vector3 place) {
@@ -47,17 +41,17 @@ void growRings(const std::vector<Triangle>& triangles, int rings, std::vector<st
 VertexMover::VertexMover(const CutMesh& cut, const FaultNetwork& faults, unsigned threads) : faults_(faults), threads_(threads) {
   if (faults.empty())
     return;
-  std::vector<std::uint8_t> in(cut.mesh.vertices.size(), 0);
-  for (std::size_t v = 0; v < in.size(); ++v)
-    in[v] = cut.onFault(static_cast<Index>(v)) ? 1 : 0;
-  growRings(cut.mesh.triangles, kRings, in);
-  for (std::size_t v = 0; v < in.size(); ++v)
-    if (in[v] != 0)
+  in_.assign(cut.mesh.vertices.size(), 0);
+  for (std::size_t v = 0; v < in_.size(); ++v)
+    in_[v] = cut.onFault(static_cast<Index>(v)) ? 1 : 0;
+  growRings(cut.mesh.triangles, kRings, in_);
+  for (std::size_t v = 0; v < in_.size(); ++v)
+    if (in_[v] != 0)
       belt_.push_back(static_cast<Index>(v));
   std::vector<std::array<Index, 2>> edges;
   for (const Triangle& t : cut.mesh.triangles)
     for (std::size_t c = 0; c < 3; ++c)
-      if (in[static_cast<std::size_t>(t[c])] != 0) {
+      if (in_[static_cast<std::size_t>(t[c])] != 0) {
         edges.push_back({t[c], t[(c + 1) % 3]});
         edges.push_back({t[c], t[(c + 2) % 3]});
       }
@@ -70,20 +64,47 @@ VertexMover::VertexMover(const CutMesh& cut, const FaultNetwork& faults, unsigne
       neighbors_.push_back((*edge)[1]);
   }
   first_.push_back(neighbors_.size());
+  for (const Index neighbor : neighbors_)
+    slot_.push_back(inBelt(neighbor));
+}
+
+/// Number of a vertex in the belt, -1 for one outside.
+Index VertexMover::inBelt(Index vertex) const {
+  if (in_.empty() || in_[static_cast<std::size_t>(vertex)] == 0)
+    return -1;
+  return static_cast<Index>(std::lower_bound(belt_.begin(), belt_.end(), vertex) - belt_.begin());
+}
+
+Points VertexMover::places(const CutMesh& cut) const {
+  Points places;
+  places.reserve(belt_.size());
+  for (const Index v : belt_)
+    places.push_back(cut.mesh.vertices[static_cast<std::size_t>(v)]);
+  return places;
+}
+
+void VertexMover::send(Index vertex, const Vector3& to, CutMesh& cut, Points& targets) const {
+  const Index slot = inBelt(vertex);
+  (slot >= 0 ? targets[static_cast<std::size_t>(slot)] : cut.mesh.vertices[static_cast<std::size_t>(vertex)]) = to;
+}
+
+const Vector3& VertexMover::placeOf(const CutMesh& cut, const Points& targets, std::size_t neighbor) const {
+  return slot_[neighbor] >= 0 ? targets[static_cast<std::size_t>(slot_[neighbor])] : cut.mesh.vertices[static_cast<std::size_t>(neighbors_[neighbor])];
+}
+
+/// True if a fault lies between a vertex off the faults and a neighbour; a neighbour on a fault is asked for just short of it.
+bool VertexMover::hidden(const CutMesh& cut, const Points& targets, const Vector3& from, std::size_t neighbor) const {
+  const Vector3& at = placeOf(cut, targets, neighbor);
+  return !sameSide(faults_, from, cut.onFault(neighbors_[neighbor]) ? Vector3(from + kShortOfFault * (at - from)) : at);
 }
 
 void VertexMover::drag(const CutMesh& cut, Points& targets) const {
   Points slide(belt_.size(), Vector3::Zero());
-  std::vector<Index> slot(neighbors_.size()); // of each neighbour in the belt, -1 if it is not there
-  for (std::size_t n = 0; n < neighbors_.size(); ++n) {
-    const auto found = std::lower_bound(belt_.begin(), belt_.end(), neighbors_[n]);
-    slot[n] = found != belt_.end() && *found == neighbors_[n] ? static_cast<Index>(found - belt_.begin()) : -1;
-  }
   for (std::size_t i = 0; i < belt_.size(); ++i) {
     const auto v = static_cast<std::size_t>(belt_[i]);
     if (!cut.onFault(belt_[i]))
       continue;
-    const Vector3 step = targets[v] - cut.mesh.vertices[v];
+    const Vector3 step = targets[i] - cut.mesh.vertices[v];
     slide[i] = step - step.dot(cut.mesh.normals[v]) * cut.mesh.normals[v];
   }
   for (int ring = 0; ring < kRings; ++ring) {
@@ -93,14 +114,14 @@ void VertexMover::drag(const CutMesh& cut, Points& targets) const {
         continue;
       Vector3 sum = Vector3::Zero();
       for (std::size_t n = first_[i]; n < first_[i + 1]; ++n)
-        if (slot[n] >= 0)
-          sum += before[static_cast<std::size_t>(slot[n])];
+        if (slot_[n] >= 0)
+          sum += before[static_cast<std::size_t>(slot_[n])];
       slide[i] = kDrag / static_cast<double>(first_[i + 1] - first_[i]) * sum;
     }
   }
   for (std::size_t i = 0; i < belt_.size(); ++i)
     if (!cut.onFault(belt_[i]))
-      targets[static_cast<std::size_t>(belt_[i])] += slide[i];
+      targets[i] += slide[i];
 }
 
 /// A vertex that a fault hides from the middle of its neighbours stops on the way from there; one that it hides from single neighbours, where a fault
@@ -108,12 +129,12 @@ void VertexMover::drag(const CutMesh& cut, Points& targets) const {
 bool VertexMover::settle(const CutMesh& cut, const Points& targets, std::size_t i, Vector3& place) const {
   if (cut.onFault(belt_[i]))
     return false;
-  const Vector3& at = targets[static_cast<std::size_t>(belt_[i])];
+  const Vector3& at = targets[i];
   Bounds box;
   box.extend(at);
   Vector3 middle = Vector3::Zero();
   for (std::size_t n = first_[i]; n < first_[i + 1]; ++n) {
-    const Vector3& neighbor = targets[static_cast<std::size_t>(neighbors_[n])];
+    const Vector3& neighbor = placeOf(cut, targets, n);
     middle += neighbor / static_cast<double>(first_[i + 1] - first_[i]);
     box.extend(neighbor);
   }
@@ -127,7 +148,7 @@ bool VertexMover::settle(const CutMesh& cut, const Points& targets, std::size_t 
     return true;
   }
   for (std::size_t n = first_[i]; n < first_[i + 1]; ++n)
-    if (hidden(cut, faults_, targets, at, neighbors_[n])) {
+    if (hidden(cut, targets, at, n)) {
       place = 0.5 * (middle + at);
       return true;
     }
@@ -135,35 +156,30 @@ bool VertexMover::settle(const CutMesh& cut, const Points& targets, std::size_t 
 }
 
 void VertexMover::pullBack(const CutMesh& cut, Points& targets) const {
-  std::vector<std::uint8_t> moved(targets.size(), 1); // in the round before; a vertex is tested again only where it or a neighbour was
+  std::vector<std::uint8_t> moved(belt_.size(), 1); // in the round before; a vertex is tested again only where it or a neighbour was
   for (int round = 0; round < kPullRounds; ++round) {
     Points places(belt_.size());
     std::vector<std::uint8_t> moves(belt_.size(), 0);
     parallelFor(belt_.size(), 128, threads_, [&](std::size_t i) {
-      bool stirred = moved[static_cast<std::size_t>(belt_[i])] != 0;
+      bool stirred = moved[i] != 0;
       for (std::size_t n = first_[i]; n < first_[i + 1] && !stirred; ++n)
-        stirred = moved[static_cast<std::size_t>(neighbors_[n])] != 0;
+        stirred = slot_[n] >= 0 && moved[static_cast<std::size_t>(slot_[n])] != 0;
       moves[i] = stirred && settle(cut, targets, i, places[i]) ? 1 : 0;
     });
-    bool any = false;
-    std::fill(moved.begin(), moved.end(), std::uint8_t(0));
     for (std::size_t i = 0; i < belt_.size(); ++i)
-      if (moves[i] != 0) {
-        targets[static_cast<std::size_t>(belt_[i])] = places[i];
-        moved[static_cast<std::size_t>(belt_[i])] = 1;
-        any = true;
-      }
-    if (!any)
+      if (moves[i] != 0)
+        targets[i] = places[i];
+    moved = std::move(moves);
+    if (std::find(moved.begin(), moved.end(), 1) == moved.end())
       return;
   }
 }
 
 void VertexMover::move(CutMesh& cut, Points targets) const {
-  if (!belt_.empty()) {
-    drag(cut, targets);
-    pullBack(cut, targets);
-  }
-  cut.mesh.vertices = std::move(targets);
+  drag(cut, targets);
+  pullBack(cut, targets);
+  for (std::size_t i = 0; i < belt_.size(); ++i)
+    cut.mesh.vertices[static_cast<std::size_t>(belt_[i])] = targets[i];
 }
 
 void relaxTriangles(CutMesh& cut, const std::vector<Index>& triangles) {

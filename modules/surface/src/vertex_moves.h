@@ -22,22 +22,33 @@ class VertexMover {
 public:
   VertexMover(const CutMesh& cut, const FaultNetwork& faults, unsigned threads);
 
-  /// \param[in] targets one place per vertex, at the same place for those that do not move
-  void move(CutMesh& cut, Points targets) const;
-
-  /// The vertices within a few rings of triangles of the faults, in rising order: those that move() may put elsewhere than their targets.
+  /// The vertices within a few rings of triangles of the faults, in rising order; all others may be moved at will.
   const std::vector<Index>& belt() const { return belt_; }
 
+  /// Where the vertices of the belt are.
+  Points places(const CutMesh& cut) const;
+
+  /// Sets where a vertex goes: one outside the belt is moved there at once. Different vertices may be sent from different threads.
+  void send(Index vertex, const Vector3& to, CutMesh& cut, Points& targets) const;
+
+  /// Moves the vertices of the belt, when all others are where they are to be. \param[in] targets places(), changed by send()
+  void move(CutMesh& cut, Points targets) const;
+
 private:
+  Index inBelt(Index vertex) const;
   void drag(const CutMesh& cut, Points& targets) const;
   void pullBack(const CutMesh& cut, Points& targets) const;
   bool settle(const CutMesh& cut, const Points& targets, std::size_t i, Vector3& place) const;
+  const Vector3& placeOf(const CutMesh& cut, const Points& targets, std::size_t neighbor) const;
+  bool hidden(const CutMesh& cut, const Points& targets, const Vector3& from, std::size_t neighbor) const;
 
   const FaultNetwork& faults_;
   unsigned threads_;
+  std::vector<std::uint8_t> in_; ///< for each vertex, whether it is in the belt; empty if none is
   std::vector<Index> belt_;
   std::vector<std::size_t> first_; ///< the neighbours of belt_[i] are neighbors_[first_[i]] to neighbors_[first_[i + 1] - 1]
   std::vector<Index> neighbors_;
+  std::vector<Index> slot_; ///< of each of neighbors_ in the belt, -1 if it is not there
 };
 
 } // namespace graben

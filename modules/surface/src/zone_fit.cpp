@@ -7,6 +7,7 @@
 #include "graben/core/threads.h"
 #include "graben/mesh/normals.h"
 #include "graben/surface/quadric.h"
+#include "graben/surface/viewpoints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +20,14 @@ class ZoneFitter {
 public:
   ZoneFitter(const CutMesh& cut, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
              const ZoneFitOptions& options)
-    : cut_(cut), grid_(grid), planes_(planes), faults_(faults), borders_(faults), options_(options), viewpoints_(viewpoints(cut)) {}
+    : cut_(cut), grid_(grid), planes_(planes), faults_(faults), borders_(faults), options_(options), viewpoints_(cut) {}
 
   /// The new position of a vertex; false if it has too few picks.
   bool fit(Index vertex, Vector3& position, std::vector<Neighbor>& candidates) const {
     const auto v = static_cast<std::size_t>(vertex);
     const Vector3& at = cut_.mesh.vertices[v];
     Quadric sum;
-    if (addPicks(at, viewpoints_[v], sum, candidates) < 3)
+    if (addPicks(at, viewpoints_.of(vertex), sum, candidates) < 3)
       return false;
     addFaults(vertex, at, sum);
     Vector3 step = sum.minimizer(options_.relative_cutoff);
@@ -81,7 +82,7 @@ private:
   const FaultNetwork& faults_;
   FaultBorders borders_;
   const ZoneFitOptions& options_;
-  Points viewpoints_;
+  Viewpoints viewpoints_;
 };
 
 std::vector<Index> zoneVertices(const CutMesh& cut, const FaultNetwork& faults, const ZoneFitOptions& options) {
@@ -99,24 +100,6 @@ std::vector<Index> zoneVertices(const CutMesh& cut, const FaultNetwork& faults, 
 
 } // namespace
 
-Points viewpoints(const CutMesh& cut) {
-  Points sums(cut.mesh.vertices.size(), Vector3::Zero());
-  std::vector<int> counts(cut.mesh.vertices.size(), 0);
-  for (const Triangle& t : cut.mesh.triangles) {
-    const Vector3 centroid = (cut.mesh.vertices[static_cast<std::size_t>(t[0])] + cut.mesh.vertices[static_cast<std::size_t>(t[1])] +
-                              cut.mesh.vertices[static_cast<std::size_t>(t[2])]) / 3.0;
-    for (const Index v : t) {
-      sums[static_cast<std::size_t>(v)] += centroid;
-      ++counts[static_cast<std::size_t>(v)];
-    }
-  }
-  for (std::size_t v = 0; v < sums.size(); ++v) {
-    const Vector3& at = cut.mesh.vertices[v];
-    sums[v] = counts[v] > 0 && cut.onFault(static_cast<Index>(v)) ? Vector3(at + 0.5 * (sums[v] / counts[v] - at)) : at;
-  }
-  return sums;
-}
-
 ZoneFitResult fitZone(CutMesh& cut, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
                       const ZoneFitOptions& options) {
   ZoneFitResult result;
@@ -127,21 +110,20 @@ ZoneFitResult fitZone(CutMesh& cut, const NeighborGrid& grid, const TangentPlane
   for (unsigned pass = 0; pass < options.passes; ++pass) {
     computeVertexNormals(cut.mesh, options.threads);
     const ZoneFitter fitter(cut, grid, planes, faults, options);
-    Points moved(zone.size());
+    Points targets = mover.places(cut);
     std::vector<std::uint8_t> done(zone.size(), 0);
     parallelBlocks(zone.size(), 64, options.threads, [&](std::size_t begin, std::size_t end) {
       std::vector<Neighbor> candidates;
+      Vector3 position;
       for (std::size_t i = begin; i < end; ++i)
-        done[i] = fitter.fit(zone[i], moved[i], candidates) ? 1 : 0;
+        if (fitter.fit(zone[i], position, candidates)) {
+          mover.send(zone[i], position, cut, targets);
+          done[i] = 1;
+        }
     });
-    result = {};
-    Points targets = cut.mesh.vertices;
-    for (std::size_t i = 0; i < zone.size(); ++i) {
-      if (done[i] != 0)
-        targets[static_cast<std::size_t>(zone[i])] = moved[i];
-      ++(done[i] != 0 ? result.fitted : result.without_picks);
-    }
     mover.move(cut, std::move(targets));
+    result.fitted = static_cast<std::size_t>(std::count(done.begin(), done.end(), 1));
+    result.without_picks = zone.size() - result.fitted;
   }
   return result;
 }

@@ -85,6 +85,9 @@ public:
   /// \return its leverage
   double solve(LocalSurface& surface, const LocalModel& model, Scratch& scratch, Index own = -1) const;
 
+  /// Leaves out the picks gathered that lie beyond a radius: solve() in a part of a support then costs no more than the part.
+  static void keepWithin(double radius, Scratch& scratch);
+
   static constexpr double kRim = 1.1; ///< squared radius of a disc that holds just the picks wanted, over that of the last one
 
   /// Radius of a disc that holds this many picks at the picks' usual density.
@@ -96,6 +99,7 @@ public:
   const NeighborGrid& grid() const { return grid_; }
   const TangentPlanes& planes() const { return planes_; }
   const FaultNetwork& faults() const { return faults_; }
+  const FaultBorders& borders() const { return *borders_; }
 
 private:
   struct Support;

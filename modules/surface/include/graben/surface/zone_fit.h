@@ -37,8 +37,4 @@ struct ZoneFitResult {
 ZoneFitResult fitZone(CutMesh& cut, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
                       const ZoneFitOptions& options);
 
-/// A place just inside the mesh beside each vertex: where a vertex on a fault asks from which side it sees
-/// the picks. Vertices off the faults ask from where they are.
-Points viewpoints(const CutMesh& cut);
-
 } // namespace graben
