@@ -21,6 +21,7 @@ namespace graben {
 namespace {
 
 constexpr int kUnfoldRounds = 4;
+constexpr double kBesideFaults = 3.0; // voxels; where the zone fit is wanted before the local fit, which goes on from it
 
 /// The picks in the zone, before those set aside are back among the points.
 Points zonePoints(const Points& points, const std::vector<Index>& zone, const std::vector<std::pair<Index, Vector3>>& aside) {
@@ -114,9 +115,14 @@ void ReconstructionJob::fit() {
   zone.search_radius = used.fault_reach + 2.0 * rhoPlusDelta();
   zone.max_step = used.voxel_size;
   zone.threads = options_.threads;
+  const bool local_fit = options_.smooth && !options_.skip.local_fit;
+  if (local_fit) {
+    zone.zone_width = std::min(zone.zone_width, kBesideFaults * used.voxel_size);
+    zone.passes = 1;
+  }
   if (!options_.skip.zone_fit)
     fitZone(cut_, grid_, planes_, faults_, zone);
-  if (options_.smooth && !options_.skip.local_fit)
+  if (local_fit)
     refineLocally();
 }
 
