@@ -1,5 +1,10 @@
 #include "graben/core/memory.h"
 
+#include <cstdlib> // defines __GLIBC__
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -27,6 +32,12 @@ std::size_t residentMemory() {
 std::size_t peakResidentMemory() {
   rusage usage{};
   return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<std::size_t>(usage.ru_maxrss) * 1024 : 0;
+}
+
+void releaseFreeMemory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 } // namespace graben

@@ -6,6 +6,7 @@
 
 #include "graben/analysis/approximation_error.h"
 #include "graben/core/errors.h"
+#include "graben/core/memory.h"
 #include "graben/core/threads.h"
 #include "graben/features/mean_distance.h"
 #include "graben/features/orientation.h"
@@ -55,27 +56,32 @@ ReconstructionJob::ReconstructionJob(const ReconstructionOptions& options, Recon
 
 void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faults, const std::vector<DipMeasurement>& dips) {
   checkMemory(picks.size() + dips.size());
-  clock_.start("neighbours");
+  begin("neighbours");
   toLocalFrame(std::move(picks), dips);
   prepareParameters();
   checkMeasurements();
-  clock_.start("faults");
+  begin("faults");
   buildFaults(faults);
-  clock_.start("wrong-side picks");
+  begin("wrong-side picks");
   setWrongSidePicksAside();
-  clock_.start("normals");
+  begin("normals");
   estimateNormals();
-  clock_.start("orientation");
+  begin("orientation");
   orient();
-  clock_.start("marching cubes");
+  begin("marching cubes");
   SheetMesh sheets = extract();
-  clock_.start("cut");
+  begin("cut");
   cut(std::move(sheets));
-  clock_.start("fit");
+  begin("fit");
   fit();
-  clock_.start("evaluation");
+  begin("evaluation");
   finish();
   clock_.stop();
+}
+
+void ReconstructionJob::begin(const std::string& stage) {
+  releaseFreeMemory(); // or the next stage's larger arrays would come on top of what this one has left
+  clock_.start(stage);
 }
 
 void ReconstructionJob::checkMemory(std::size_t picks) {
@@ -172,6 +178,7 @@ void ReconstructionJob::estimateNormals() {
   o.measured = picks_.measured;
   o.threads = options_.threads;
   planes_ = estimateTangentPlanes(grid_, faultsUnless(options_.skip.neighbors), o);
+  planes_.curvature = std::vector<float>(); // nobody asks
 }
 
 void ReconstructionJob::orient() {

@@ -26,6 +26,8 @@ public:
   void run(Points picks, const std::vector<FaultGeometry>& faults, const std::vector<DipMeasurement>& dips);
 
 private:
+  void begin(const std::string& stage);
+
   // From picks to planes (reconstruction_job.cpp)
   void toLocalFrame(Points picks, const std::vector<DipMeasurement>& dips);
   void prepareParameters();

@@ -20,6 +20,20 @@ TEST(Memory, GrowsWithWhatIsInUseAndThePeakStays) {
   EXPECT_GT(peakResidentMemory(), before + kBytes / 2);
 }
 
+TEST(Memory, WhatIsFreeGoesBackToTheSystem) {
+  constexpr std::size_t kBlocks = 1 << 16, kBytes = 1024;
+  const std::size_t before = residentMemory();
+  std::vector<std::vector<char>> blocks(kBlocks);
+  for (std::vector<char>& block : blocks)
+    block.assign(kBytes, 'x');
+  const std::vector<char> last(kBytes, 'x'); // keeps the heap from shrinking by itself
+  blocks = {};
+  releaseFreeMemory();
+#ifdef __GLIBC__
+  EXPECT_LT(residentMemory(), before + kBlocks * kBytes / 4);
+#endif
+}
+
 TEST(Memory, TheLimitIsBelowWhatTheMachineHas) {
   EXPECT_GT(defaultMemoryLimit(), residentMemory());
 }
