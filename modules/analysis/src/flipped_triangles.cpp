@@ -60,7 +60,7 @@ std::vector<Index> minority(const std::vector<char>& wrong, const Points& normal
 /// Area normals, those of a component whose mean faces down turned over.
 Points upwardNormals(const TriangleMesh& mesh, unsigned threads) {
   Points normals = areaNormals(mesh, threads);
-  const Components components = connectedComponents(mesh);
+  const Components components = connectedComponents(mesh, threads);
   std::vector<double> up(components.triangle_count.size(), 0.0);
   for (std::size_t t = 0; t < normals.size(); ++t)
     up[static_cast<std::size_t>(components.of_triangle[t])] += normals[t].z();

@@ -188,7 +188,7 @@ void countComponents(const Components& components, TopologyReport& report) {
 
 TopologyReport checkTopology(const TriangleMesh& mesh, unsigned threads) {
   validate(mesh, "checking the topology", threads);
-  return checkTopology(mesh, MeshConnections(mesh, threads), connectedComponents(mesh), threads);
+  return checkTopology(mesh, MeshConnections(mesh, threads), connectedComponents(mesh, threads), threads);
 }
 
 TopologyReport checkTopology(const TriangleMesh& mesh, const MeshConnections& connections, const Components& components, unsigned threads) {

@@ -1,77 +1,108 @@
 #include "graben/mesh/components.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/threads.h"
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
 namespace graben {
 
 namespace {
 
-Index findRoot(std::vector<Index>& parent, Index v) {
-  while (parent[static_cast<std::size_t>(v)] != v) {
-    Index& up = parent[static_cast<std::size_t>(v)];
-    up = parent[static_cast<std::size_t>(up)];
-    v = up;
-  }
-  return v;
-}
+constexpr std::size_t kGrain = 1 << 14;
 
-/// The set each vertex belongs to, named by its lowest vertex.
-std::vector<Index> joinVertices(const TriangleMesh& mesh) {
-  std::vector<Index> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  for (const Triangle& triangle : mesh.triangles)
-    for (std::size_t e = 1; e < 3; ++e) {
-      const Index a = findRoot(parent, triangle[0]);
-      const Index b = findRoot(parent, triangle[e]);
-      parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+/// Sets of vertices, each named by its lowest one, that several threads may join: a set's root is hung below the lower root of another, so that
+/// the sets do not depend on who comes first.
+class VertexSets {
+public:
+  VertexSets(std::size_t vertices, unsigned threads)
+      : parent_(vertices) {
+    parallelFor(vertices, kGrain, threads, [this](std::size_t v) { parent_[v].store(static_cast<Index>(v), std::memory_order_relaxed); });
+  }
+
+  Index rootOf(Index v) {
+    for (;;) {
+      Index up = at(v).load(std::memory_order_relaxed);
+      if (up == v)
+        return v;
+      const Index above = at(up).load(std::memory_order_relaxed);
+      if (above != up)
+        at(v).compare_exchange_weak(up, above, std::memory_order_relaxed);
+      v = above;
     }
-  for (std::size_t v = 0; v < parent.size(); ++v)
-    parent[v] = findRoot(parent, static_cast<Index>(v));
-  return parent;
+  }
+
+  void join(Index a, Index b) {
+    for (;;) {
+      a = rootOf(a);
+      b = rootOf(b);
+      if (a == b)
+        return;
+      Index higher = std::max(a, b);
+      if (at(higher).compare_exchange_strong(higher, std::min(a, b), std::memory_order_relaxed))
+        return;
+    }
+  }
+
+private:
+  std::atomic<Index>& at(Index v) { return parent_[static_cast<std::size_t>(v)]; }
+
+  std::vector<std::atomic<Index>> parent_;
+};
+
+/// The lowest vertex of the component of each vertex.
+std::vector<Index> rootsOf(const TriangleMesh& mesh, unsigned threads) {
+  VertexSets sets(mesh.vertices.size(), threads);
+  parallelFor(mesh.triangles.size(), kGrain, threads, [&](std::size_t t) {
+    sets.join(mesh.triangles[t][0], mesh.triangles[t][1]);
+    sets.join(mesh.triangles[t][0], mesh.triangles[t][2]);
+  });
+  std::vector<Index> roots(mesh.vertices.size());
+  parallelFor(roots.size(), kGrain, threads, [&](std::size_t v) { roots[v] = sets.rootOf(static_cast<Index>(v)); });
+  return roots;
 }
 
 } // namespace
 
-Components connectedComponents(const TriangleMesh& mesh) {
-  const std::vector<Index> root = joinVertices(mesh);
+Components connectedComponents(const TriangleMesh& mesh, unsigned threads) {
+  const std::vector<Index> roots = rootsOf(mesh, threads);
+  const auto rootOf = [&](std::size_t t) { return static_cast<std::size_t>(roots[static_cast<std::size_t>(mesh.triangles[t][0])]); };
   // Numbered by first triangle to begin with.
   std::vector<Index> number(mesh.vertices.size(), -1);
   std::vector<std::size_t> count;
-  Components result;
-  result.of_triangle.resize(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    Index& n =
-        number[static_cast<std::size_t>(root[static_cast<std::size_t>(mesh.triangles[t][0])])];
+    Index& n = number[rootOf(t)];
     if (n < 0) {
       n = static_cast<Index>(count.size());
       count.push_back(0);
     }
     ++count[static_cast<std::size_t>(n)];
-    result.of_triangle[t] = n;
   }
   std::vector<std::size_t> order(count.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&count](std::size_t a, std::size_t b) { return count[a] > count[b]; });
   std::vector<Index> rank(count.size());
+  Components result;
   for (std::size_t i = 0; i < order.size(); ++i) {
     rank[order[i]] = static_cast<Index>(i);
     result.triangle_count.push_back(count[order[i]]);
   }
-  for (Index& c : result.of_triangle)
-    c = rank[static_cast<std::size_t>(c)];
-  result.of_vertex.assign(mesh.vertices.size(), -1);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const Index v : mesh.triangles[t])
-      result.of_vertex[static_cast<std::size_t>(v)] = result.of_triangle[t];
+  result.of_triangle.resize(mesh.triangles.size());
+  parallelFor(mesh.triangles.size(), kGrain, threads,
+              [&](std::size_t t) { result.of_triangle[t] = rank[static_cast<std::size_t>(number[rootOf(t)])]; });
+  result.of_vertex.resize(mesh.vertices.size());
+  parallelFor(mesh.vertices.size(), kGrain, threads, [&](std::size_t v) {
+    const Index n = number[static_cast<std::size_t>(roots[v])];
+    result.of_vertex[v] = n < 0 ? -1 : rank[static_cast<std::size_t>(n)];
+  });
   return result;
 }
 
-Components labelPieces(TriangleMesh& mesh) {
-  Components components = connectedComponents(mesh);
+Components labelPieces(TriangleMesh& mesh, unsigned threads) {
+  Components components = connectedComponents(mesh, threads);
   if (std::find(components.of_vertex.begin(), components.of_vertex.end(), -1) !=
       components.of_vertex.end())
     throw InvalidInputError(

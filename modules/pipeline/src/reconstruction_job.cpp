@@ -222,7 +222,7 @@ void ReconstructionJob::finish() {
     computeVertexNormals(cut_.mesh, options_.threads);
   else
     tidy();
-  const Components components = labelPieces(cut_.mesh);
+  const Components components = labelPieces(cut_.mesh, options_.threads);
   if (options_.keep_picks)
     normals_ = std::move(planes_.normals);
   planes_ = TangentPlanes();

@@ -107,8 +107,10 @@ ZoneFitResult fitZone(CutMesh& cut, const NeighborGrid& grid, const TangentPlane
     return result;
   const std::vector<Index> zone = zoneVertices(cut, faults, options);
   const VertexMover mover(cut, faults, options.threads);
+  const VertexCorners corners(cut.mesh, options.threads);
+  cut.mesh.normals.resize(cut.mesh.vertices.size(), Vector3::UnitZ());
   for (unsigned pass = 0; pass < options.passes; ++pass) {
-    computeVertexNormals(cut.mesh, options.threads);
+    updateVertexNormals(cut.mesh, corners, zone, options.threads);
     const ZoneFitter fitter(cut, grid, planes, faults, options);
     Points targets = mover.places(cut);
     std::vector<std::uint8_t> done(zone.size(), 0);

@@ -12,12 +12,13 @@ struct Components {
   std::vector<std::size_t> triangle_count; ///< triangles in each component, falling
 };
 
-/// O(vertices + triangles), deterministic.
-Components connectedComponents(const TriangleMesh& mesh);
+/// O(vertices + triangles), deterministic. \param[in] threads 0: one per processor
+Components connectedComponents(const TriangleMesh& mesh, unsigned threads = 0);
 
 /// Writes the component of every vertex into mesh.piece.
 /// \throw InvalidInputError if there is a vertex no triangle uses (see removeUnreferencedVertices)
-Components labelPieces(TriangleMesh& mesh);
+/// \param[in] threads 0: one per processor
+Components labelPieces(TriangleMesh& mesh, unsigned threads = 0);
 
 /// One mesh per component, with all per-vertex arrays.
 std::vector<TriangleMesh> splitComponents(const TriangleMesh& mesh, const Components& components);

@@ -33,7 +33,8 @@ struct ZoneFitResult {
 /// A vertex on a fault stays on it: the fault's plane is part of its quadric, and the result is put back on
 /// the fault surface. Where Q_sum is singular the undetermined directions stay (the paper takes the best of
 /// the k picks instead, which would tear the mesh). Vertices are moved together after each pass, so the
-/// result does not depend on their order or the number of threads. O(vertices in the zone x neighbors).
+/// result does not depend on their order or the number of threads. Vertices in the zone are left with the normals of the
+/// triangles before the last pass. O(vertices in the zone x neighbors + triangles).
 ZoneFitResult fitZone(CutMesh& cut, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
                       const ZoneFitOptions& options);
 
