@@ -183,9 +183,11 @@ void SheetEdges::drawGhostEdges() {
 
 void SheetEdges::number() {
   for (Block& b : blocks_) {
-    b.first = count_;
-    for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      b.first[axis] = count_;
       count_ += block::count(b.single(axis));
+    }
+    b.first[3] = count_;
     count_ += block::count(b.group);
   }
   lattice_vertices_ = count_;
@@ -207,10 +209,7 @@ void SheetEdges::numberGhosts() {
 
 Index SheetEdges::groupVertex(Index node) const {
   const Block& b = blocks_[static_cast<std::size_t>(node / block::kSlots)];
-  Index vertex = b.first;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    vertex += block::count(b.single(axis));
-  return vertex + block::rank(b.group, node % block::kSlots);
+  return b.first[3] + block::rank(b.group, node % block::kSlots);
 }
 
 Index SheetEdges::vertexOn(const NodeEdge& edge, int axis) const {
@@ -226,10 +225,7 @@ Index SheetEdges::vertexOn(const NodeEdge& edge, int axis) const {
     return groupVertex(edge.low);
   if ((b.to_high[a] & block::bit(slot)) != 0)
     return groupVertex(edge.high);
-  Index vertex = b.first;
-  for (std::size_t before = 0; before < a; ++before)
-    vertex += block::count(b.single(before));
-  return vertex + block::rank(b.single(a), slot);
+  return b.first[a] + block::rank(b.single(a), slot);
 }
 
 void SheetEdges::addTo(Mean& mean, const NodeEdge& edge, Index node) const {
@@ -255,7 +251,7 @@ Vector3 SheetEdges::groupPlace(Index node) const {
 }
 
 void SheetEdges::placeBlock(std::size_t b, Points& places) const {
-  auto vertex = static_cast<std::size_t>(blocks_[b].first);
+  auto vertex = static_cast<std::size_t>(blocks_[b].first[0]);
   const Index first = block::kSlots * static_cast<Index>(b);
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (BlockMask rest = blocks_[b].single(axis); rest != 0; rest &= rest - 1) {
@@ -267,7 +263,9 @@ void SheetEdges::placeBlock(std::size_t b, Points& places) const {
 }
 
 Points SheetEdges::places() const {
-  Points places(static_cast<std::size_t>(count_));
+  Points places;
+  places.reserve(withRoom(static_cast<std::size_t>(count_)));
+  places.resize(static_cast<std::size_t>(count_));
   parallelFor(blocks_.size(), kGrain, options_.threads, [&](std::size_t b) { placeBlock(b, places); });
   std::vector<Mean> means(static_cast<std::size_t>(count_ - lattice_vertices_));
   for (const GhostEdge& edge : ghost_edges_) {

@@ -21,6 +21,9 @@ inline NodeEdge endsOf(const std::array<Index, 8>& corners, std::size_t e) {
   return {corners[static_cast<std::size_t>(low)], corners[static_cast<std::size_t>(high)]};
 }
 
+/// What to reserve for a part of the mesh, so that trim and cut need not copy it to add to it.
+inline std::size_t withRoom(std::size_t size) { return size + size / 16; }
+
 /// The lattice edges that the surface crosses and the vertices of the mesh on them: one for each edge, or one for all edges that snapping draws to the same
 /// node. Vertices are numbered block by block, those at ghosts last.
 class SheetEdges {
@@ -43,7 +46,7 @@ private:
     std::array<BlockMask, 3> to_high{};
     BlockMask snapped = 0;                ///< lattice vertices that draw crossings
     BlockMask group = 0;                  ///< those with a mesh vertex
-    Index first = 0;                      ///< mesh vertex of the block
+    std::array<Index, 4> first{};         ///< mesh vertex: of the edges along each axis that keep their own, and of the groups
 
     BlockMask single(std::size_t axis) const { return edge[axis] & ~to_low[axis] & ~to_high[axis]; }
   };

@@ -73,12 +73,18 @@ private:
     Vector3 met = Vector3::Zero();
     Vector3 all = Vector3::Zero();
     bool semi_undefined = false;
+    Index last = -1;
+    bool meets = false;
     for (const Index node : cell.node) {
-      const auto plane = static_cast<std::size_t>(cells_.plane(node));
-      const Vector3& n = field_.planes().normals[plane];
-      const double distance = (middle - field_.planes().centres[plane]).dot(n) - options_.iso_level;
+      const Index plane = cells_.plane(node);
+      const Vector3& n = field_.planes().normals[static_cast<std::size_t>(plane)];
+      if (plane != last) {
+        const double distance = (middle - field_.planes().centres[static_cast<std::size_t>(plane)]).dot(n) - options_.iso_level;
+        meets = std::abs(distance) <= 0.5 * h * n.cwiseAbs().sum();
+        last = plane;
+      }
       all += n;
-      if (std::abs(distance) <= 0.5 * h * n.cwiseAbs().sum())
+      if (meets)
         met += n;
       else
         semi_undefined = true;
@@ -108,8 +114,14 @@ private:
     for (std::size_t c = 0; c < 8; ++c)
       inside |= cells_.value(cell.node[c]) < 0.0 ? 1 << c : 0;
     const Vector3 reference = options_.flip_angle < 180.0 ? referenceNormal(cell) : Vector3::Zero();
+    std::array<Index, 12> on; // each edge
+    on.fill(-1);
+    const auto vertex = [&](int edge) {
+      Index& v = on[static_cast<std::size_t>(edge)];
+      return v >= 0 ? v : v = vertexOn(cell, edge);
+    };
     for (const int* table = cubeTriangles()[inside]; *table != -1; table += 3) {
-      const Triangle t = {vertexOn(cell, table[0]), vertexOn(cell, table[1]), vertexOn(cell, table[2])};
+      const Triangle t = {vertex(table[0]), vertex(table[1]), vertex(table[2])};
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
         continue;
       if (!reference.isZero() && turnsAgainst(reference, t, places)) {
@@ -129,6 +141,8 @@ private:
       out.cells += parts_[p].cells;
       out.rejected_by_flip_angle += parts_[p].rejected;
     }
+    out.mesh.triangles.reserve(withRoom(first.back()));
+    out.home.reserve(withRoom(first.back()));
     out.mesh.triangles.resize(first.back());
     out.home.assign(first.back(), -1);
     parallelFor(parts_.size(), 8, options_.threads, [&](std::size_t p) {

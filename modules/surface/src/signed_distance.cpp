@@ -95,8 +95,11 @@ bool SignedDistance::findVisibleNearby(const Vector3& v, const Vector3& viewpoin
 }
 
 void SignedDistance::findVisible(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const {
-  if (findVisibleNearby(v, viewpoint, scratch))
-    return;
+  if (!findVisibleNearby(v, viewpoint, scratch))
+    findVisibleInGrid(v, viewpoint, scratch);
+}
+
+void SignedDistance::findVisibleInGrid(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const {
   focusFaults(boxAround(v, 0.0), scratch);
   const std::size_t wanted = options_.blend + 1;
   const auto usable = [&](const Neighbor& c) {
@@ -228,14 +231,7 @@ void SignedDistance::valuesOf(const Vector3* places, const Vector3* viewpoints, 
   const std::size_t wanted = options_.blend + 1;
   around.near.lookAround(places, viewpoints, count);
   bool looked_far = false;
-  const auto findTogether = [&](std::size_t i) {
-    const double reach = sureReach(places[i], around);
-    if (!around.near.nearestOf(i, wanted, reach, scratch.visible))
-      return false;
-    if (enough(scratch.visible, reach))
-      return true;
-    if (around.near.faults().empty())
-      return false;
+  const auto lookFar = [&](std::size_t i) {
     if (!looked_far) {
       gatherFar(around);
       around.far.lookAround(places, viewpoints, count);
@@ -244,8 +240,11 @@ void SignedDistance::valuesOf(const Vector3* places, const Vector3* viewpoints, 
     return around.far.nearestOf(i, wanted, query_radius_, scratch.visible);
   };
   for (std::size_t i = 0; i < count; ++i) {
-    if (!findTogether(i))
+    const double reach = sureReach(places[i], around);
+    if (!around.near.nearestOf(i, wanted, reach, scratch.visible))
       findVisible(places[i], viewpoints[i], scratch);
+    else if (!enough(scratch.visible, reach) && (around.near.faults().empty() || !lookFar(i)))
+      findVisibleInGrid(places[i], viewpoints[i], scratch);
     values[i] = valueOf(places[i], viewpoints[i], scratch);
   }
 }

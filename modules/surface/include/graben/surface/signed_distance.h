@@ -69,6 +69,7 @@ public:
 
 private:
   void findVisible(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
+  void findVisibleInGrid(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
   bool findVisibleNearby(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
   bool supported(const Vector3& v, const Vector3& foot, const Vector3& viewpoint, Scratch& scratch) const;
   bool surrounded(const Vector3& foot, const Vector3& normal, Scratch& scratch) const;
