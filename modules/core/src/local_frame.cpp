@@ -1,24 +1,49 @@
 #include "graben/core/local_frame.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/threads.h"
 
 #include <cmath>
 #include <limits>
 
 namespace graben {
 
-LocalFrame LocalFrame::around(const Points& points, ZPositive z_positive, double z_scale) {
+namespace {
+
+constexpr std::size_t GRAIN = 1 << 16;
+
+struct Box {
+  Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+
+  void extend(const Vector3& from, const Vector3& to) {
+    low = low.cwiseMin(from);
+    high = high.cwiseMax(to);
+  }
+};
+
+/// Of the finite points.
+Box boxOf(const Points& points, unsigned threads) {
+  std::vector<Box> parts((points.size() + GRAIN - 1) / GRAIN);
+  parallelBlocks(points.size(), GRAIN, threads, [&](std::size_t begin, std::size_t end) {
+    Box part;
+    for (std::size_t i = begin; i < end; ++i)
+      if (points[i].allFinite())
+        part.extend(points[i], points[i]);
+    parts[begin / GRAIN] = part;
+  });
+  Box all;
+  for (const Box& part : parts)
+    all.extend(part.low, part.high);
+  return all;
+}
+
+} // namespace
+
+LocalFrame LocalFrame::around(const Points& points, ZPositive z_positive, double z_scale, unsigned threads) {
   if (!(z_scale > 0.0) || !std::isfinite(z_scale))
     throw InvalidInputError("local frame", "the z scale must be a positive number");
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  Vector3 low = Vector3::Constant(inf);
-  Vector3 high = Vector3::Constant(-inf);
-  for (const Vector3& p : points) {
-    if (!p.allFinite())
-      continue;
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  const Box box = boxOf(points, threads);
+  const Vector3 &low = box.low, &high = box.high;
   if (!low.allFinite())
     throw InvalidInputError("local frame", "no point has finite coordinates");
   LocalFrame frame;

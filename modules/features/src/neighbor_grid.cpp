@@ -256,12 +256,19 @@ NeighborGrid::NeighborGrid(const Points& points, double cell_size, unsigned thre
   data_ = std::move(data);
 }
 
-NeighborGrid::NeighborGrid(const Points& points, const NeighborGrid& like, unsigned threads)
-    : points_(&points) {
+NeighborGrid NeighborGrid::withoutThoseTakenOut(unsigned threads) const {
   auto data = std::make_shared<NeighborGridData>();
-  data->lattice = like.data_->lattice;
-  data->build(points, threads);
-  data_ = std::move(data);
+  if (inOrder()) {
+    *data = *data_;
+    data->findOrder();
+  } else {
+    data->lattice = data_->lattice;
+    data->build(*points_, threads);
+  }
+  NeighborGrid grid;
+  grid.points_ = points_;
+  grid.data_ = std::move(data);
+  return grid;
 }
 
 double NeighborGrid::cellSize() const {

@@ -70,10 +70,7 @@ void NeighborGridData::build(const Points& points, unsigned threads) {
   if (areSorted(keys, threads)) {
     ordered.points = points.data();
     ordered.count = points.size();
-    order.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (points[i].allFinite())
-        order.push_back(static_cast<Index>(i));
+    findOrder();
   } else {
     order = sortByKey(points, keys, threads);
     ordered.indices = order.data();
@@ -87,6 +84,16 @@ void NeighborGridData::build(const Points& points, unsigned threads) {
   buildBlocks(keys, threads);
   buildTable();
   tree.build(ordered, threads);
+}
+
+void NeighborGridData::findOrder() {
+  order.resize(ordered.count);
+  std::size_t finite = 0;
+  for (std::size_t i = 0; i < ordered.count; ++i) {
+    order[finite] = static_cast<Index>(i);
+    finite += ordered.points[i].allFinite() ? 1 : 0;
+  }
+  order.resize(finite);
 }
 
 void NeighborGridData::buildBlocks(const std::vector<std::uint64_t>& keys, unsigned threads) {

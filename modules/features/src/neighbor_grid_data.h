@@ -34,6 +34,9 @@ struct NeighborGridData {
   /// The lattice is set before.
   void build(const Points& points, unsigned threads);
 
+  /// Sets the order of points that stand in order already: those that are finite.
+  void findOrder();
+
   const Block* findBlock(std::uint64_t key) const {
     if (blocks.empty())
       return nullptr;

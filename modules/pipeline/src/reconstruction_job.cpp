@@ -96,7 +96,7 @@ void ReconstructionJob::checkMemory(std::size_t picks) {
 }
 
 void ReconstructionJob::toLocalFrame(Points picks, const std::vector<DipMeasurement>& dips) {
-  result_.frame = LocalFrame::around(picks, options_.z_positive, options_.z_scale);
+  result_.frame = LocalFrame::around(picks, options_.z_positive, options_.z_scale, options_.threads);
   picks_ = orderPicks(std::move(picks), dips, result_.frame, options_.threads, result_.report);
   grid_ = NeighborGrid(picks_.points, 0.0, options_.threads);
   result_.report.picks = picks_.picks;
@@ -114,7 +114,7 @@ void ReconstructionJob::checkMeasurements() {
   result_.report.warnings.push_back(std::to_string(far) + " of " + std::to_string(result_.report.measurements) +
                                     " dip measurements are farther than " + shortNumber(reach) +
                                     " from all picks and were left out; check their coordinates, their units and which way their z grows.");
-  grid_ = NeighborGrid(picks_.points, grid_, options_.threads);
+  grid_ = grid_.withoutThoseTakenOut(options_.threads);
 }
 
 void ReconstructionJob::prepareParameters() {
@@ -168,7 +168,7 @@ void ReconstructionJob::setWrongSidePicksAside() {
   const auto kept = std::remove_if(picks_.measured.begin(), picks_.measured.end(), is_aside);
   result_.report.measurements_set_aside = static_cast<std::size_t>(picks_.measured.end() - kept);
   picks_.measured.erase(kept, picks_.measured.end());
-  grid_ = NeighborGrid(picks_.points, grid_, options_.threads);
+  grid_ = grid_.withoutThoseTakenOut(options_.threads);
 }
 
 void ReconstructionJob::estimateNormals() {

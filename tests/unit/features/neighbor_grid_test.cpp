@@ -234,15 +234,22 @@ TEST(NeighborGrid, PointsInSpaceOrderStayInPlace) {
   for (std::size_t i = 0; i < grid.size(); ++i)
     ASSERT_EQ(grid.order()[i], static_cast<Index>(i));
 
-  // With points taken out on the way they are still where they were.
-  for (std::size_t i = 0; i < 4000; i += 7)
-    points[i].setConstant(NAN_VALUE);
-  points.erase(points.begin() + 4000, points.end());
-  const NeighborGrid fewer(points, grid);
-  EXPECT_TRUE(fewer.inOrder());
-  EXPECT_EQ(fewer.cellSize(), grid.cellSize());
-  EXPECT_EQ(fewer.size(), 4000U - (3999U / 7U + 1U));
-  checkAgainstBruteForce(fewer, 40.0);
+  EXPECT_EQ(grid.size(), points.size() - 1);
+}
+
+TEST(NeighborGrid, PointsTakenOutAreFoundNoMore) {
+  const Points sheet = test::wavySheet(8000, 1000.0, 1.0);
+  for (Points points : {inSpaceOrder(sheet), sheet}) {
+    const NeighborGrid grid(points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (i % 7 == 0 || i < 100 || (points[i] - Vector3(500.0, 500.0, 0.0)).norm() < 150.0)
+        points[i].setConstant(NAN_VALUE);
+    const NeighborGrid fewer = grid.withoutThoseTakenOut();
+    EXPECT_EQ(fewer.inOrder(), grid.inOrder());
+    EXPECT_EQ(fewer.cellSize(), grid.cellSize());
+    EXPECT_EQ(fewer.size(), static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [](const Vector3& p) { return p.allFinite(); })));
+    checkAgainstBruteForce(fewer, 40.0);
+  }
 }
 
 TEST(NeighborGrid, OrderDoesNotDependOnThePointsOrder) {

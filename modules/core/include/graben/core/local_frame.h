@@ -14,9 +14,9 @@ struct LocalFrame {
   double z_scale = 1.0;                  ///< positive; user's z units to x, y units (1: the same unit)
   ZPositive z_positive = ZPositive::Up;  ///< which way the user's z grows; Unknown counts as Up
 
-  /// Origin at the centre of the finite points' bounding box, rounded to whole units.
+  /// Origin at the centre of the finite points' bounding box, rounded to whole units. \param[in] threads 0: one per processor
   /// \throw InvalidInputError if no point is finite or z_scale is not positive and finite
-  static LocalFrame around(const Points& points, ZPositive z_positive = ZPositive::Up, double z_scale = 1.0);
+  static LocalFrame around(const Points& points, ZPositive z_positive = ZPositive::Up, double z_scale = 1.0, unsigned threads = 0);
 
   /// The factor on z: negative where the user's z grows downward.
   double zFactor() const { return z_positive == ZPositive::Down ? -z_scale : z_scale; }

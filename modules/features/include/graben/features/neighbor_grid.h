@@ -59,8 +59,9 @@ public:
   /// processor
   explicit NeighborGrid(const Points& points, double cell_size = 0.0, unsigned threads = 0);
 
-  /// A grid with the cells of \a like, for the same points with some moved or taken out (set to NaN); points in spaceOrder() then stay so.
-  NeighborGrid(const Points& points, const NeighborGrid& like, unsigned threads = 0);
+  /// This grid after some of its points were taken out (set to NaN, the one change that is allowed): they are found no more. Where the points
+  /// are inOrder() that costs a fraction of a new grid.
+  NeighborGrid withoutThoseTakenOut(unsigned threads = 0) const;
 
   const Points& points() const { return *points_; }
   /// Number of (finite) points in the grid.
