@@ -11,14 +11,35 @@ namespace {
 
 constexpr double INFINITE = std::numeric_limits<double>::infinity();
 
-/// Squared distances of points from a place, infinite where they are 0.
+constexpr std::size_t WORD = 64;
+
+/// Bit 4 i + l of the result is bit i of lane l, for the lowest 16 bits of each.
+std::uint64_t interleaved(LaneMask& lanes) {
+  lanes = (lanes | lanes << 24) & 0x000000ff000000ff;
+  lanes = (lanes | lanes << 12) & 0x000f000f000f000f;
+  lanes = (lanes | lanes << 6) & 0x0303030303030303;
+  lanes = (lanes | lanes << 3) & 0x1111111111111111;
+  return static_cast<std::uint64_t>(lanes[0] | lanes[1] << 1 | lanes[2] << 2 | lanes[3] << 3);
+}
+
+/// Squared distances of points from a place, infinite where they are 0, and one bit for each that is no larger than the limit. Beyond the count
+/// the points must be infinitely far up to a full set of lanes.
 GRABEN_AVX2_CLONE
-void distancesFrom(const double* place, const double* x, const double* y, const double* z, std::size_t count, double* squared) {
+void distancesFrom(const double* place, const double* x, const double* y, const double* z, std::size_t count, double limit, double* squared,
+                   std::uint64_t* within) {
   const double px = place[0], py = place[1], pz = place[2];
-  for (std::size_t i = 0; i < count; ++i) {
-    const double dx = x[i] - px, dy = y[i] - py, dz = z[i] - pz;
-    const double distance = dx * dx + dy * dy + dz * dz;
-    squared[i] = distance > 0.0 ? distance : INFINITE;
+  for (std::size_t word = 0; word < count; word += WORD) {
+    LaneMask bits = {};
+    std::int64_t bit = 1;
+    for (std::size_t i = word; i < word + WORD && i < count; i += LANES, bit <<= 1) {
+      const Lanes dx = *reinterpret_cast<const LanesInMemory*>(x + i) - px, dy = *reinterpret_cast<const LanesInMemory*>(y + i) - py,
+                  dz = *reinterpret_cast<const LanesInMemory*>(z + i) - pz;
+      const Lanes distance = dx * dx + dy * dy + dz * dz;
+      const Lanes elsewhere = distance > 0.0 ? distance : INFINITE + Lanes{};
+      *reinterpret_cast<LanesInMemory*>(squared + i) = elsewhere;
+      bits |= (elsewhere <= limit) & bit;
+    }
+    within[word / WORD] = interleaved(bits);
   }
 }
 
@@ -108,17 +129,19 @@ void NearbyPoints::grow() {
 
 /// Sets near_ and numbers_; returns how many there are.
 std::size_t NearbyPoints::findWithin(const double* place, double squared_radius) {
-  distancesFrom(place, points_.x.data(), points_.y.data(), points_.z.data(), count_, distance_.data());
-  const double* distance = distance_.data();
-  double* near = near_.data();
-  std::uint32_t* numbers = numbers_.data();
+  for (std::vector<double>* values : {&points_.x, &points_.y, &points_.z})
+    std::fill_n(values->data() + count_, LANES, INFINITE);
+  const std::size_t words = (count_ + WORD - 1) / WORD;
+  within_.resize(words);
+  distancesFrom(place, points_.x.data(), points_.y.data(), points_.z.data(), count_, squared_radius, distance_.data(), within_.data());
   std::size_t within = 0;
-  for (std::size_t i = 0; i < count_; ++i) {
-    near[within] = distance[i];
-    numbers[within] = static_cast<std::uint32_t>(i);
-    within += distance[i] <= squared_radius ? 1 : 0;
-  }
-  std::fill_n(near + within, LANES, INFINITE);
+  for (std::size_t word = 0; word < words; ++word)
+    for (std::uint64_t bits = within_[word]; bits != 0; bits &= bits - 1, ++within) {
+      const std::size_t i = word * WORD + static_cast<std::size_t>(__builtin_ctzll(bits));
+      near_[within] = distance_[i];
+      numbers_[within] = static_cast<std::uint32_t>(i);
+    }
+  std::fill_n(near_.data() + within, LANES, INFINITE);
   return within;
 }
 

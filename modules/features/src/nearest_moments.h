@@ -54,6 +54,7 @@ private:
   std::size_t count_ = 0, capacity_ = 0, found_ = 0;
   VectorArrays points_, vectors_;
   std::vector<double> distance_;       ///< of each point, squared; infinite for one at the very place
+  std::vector<std::uint64_t> within_;  ///< a bit for each point: it is within the radius
   std::vector<double> near_;           ///< of the points within the radius
   std::vector<std::uint32_t> numbers_; ///< of those points, then of those found
   std::vector<double> ranked_;

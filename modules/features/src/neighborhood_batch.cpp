@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t MOST_PICKS = 64;
 constexpr double WIDTH = 4.0;    // of the picks' box, in cells     // of the picks' box, in cells
-constexpr double MARGIN = 1.12;   // of the radius over the neighbourhoods of the picks before
+constexpr double MARGIN = 1.06;   // of the radius over the neighbourhoods of the picks before
 constexpr double WIDER = 1.4;     // where it was too small
 constexpr int ATTEMPTS = 3;
 constexpr std::size_t MOST_AROUND = 48; // points around for each neighbour wanted: far more than on any surface
@@ -145,34 +145,33 @@ void NeighborhoodBatch::search(const Index* picks) {
       continue;
     }
     moments_[i] = nearby_.foundMoments(pick.data());
-    const double reach = moments_[i].farthest;
-    simple_[i] = (reach < squared_step_ || allJoin(pick)) && !(near_fault_ && crossesFault(pick, reach));
+    simple_[i] = (moments_[i].farthest < squared_step_ || allJoin(pick)) && !(near_fault_ && crossesFault(pick));
   }
   open_.resize(left);
 }
 
 /// Whether each of the points found that is farther than a step is a step from one that is not, and so surely joins in its turn.
 bool NeighborhoodBatch::allJoin(const Vector3& pick) {
-  joined_.clear();
-  beyond_.clear();
+  within_step_.clear();
+  beyond_step_.clear();
   for (std::size_t i = 0; i < nearby_.foundCount(); ++i) {
     const Vector3& q = pointOf(distinct_[nearby_.found(i)]);
-    ((q - pick).squaredNorm() < squared_step_ ? joined_ : beyond_).push_back(q);
+    ((q - pick).squaredNorm() < squared_step_ ? within_step_ : beyond_step_).push_back(q);
   }
-  return std::all_of(beyond_.begin(), beyond_.end(), [this](const Vector3& q) {
-    return std::any_of(joined_.begin(), joined_.end(), [&](const Vector3& n) { return (n - q).squaredNorm() < squared_step_; });
+  return std::all_of(beyond_step_.begin(), beyond_step_.end(), [this](const Vector3& q) {
+    return std::any_of(within_step_.begin(), within_step_.end(), [&](const Vector3& n) { return (n - q).squaredNorm() < squared_step_; });
   });
 }
 
 /// Whether a fault lies between a pick and one of the points found for it.
-bool NeighborhoodBatch::crossesFault(const Vector3& pick, double squared_reach) const {
-  const Vector3 reach = Vector3::Constant(std::sqrt(squared_reach));
-  if (!faults_.mayTouch(Bounds{pick - reach, pick + reach}))
-    return false;
-  for (std::size_t i = 0; i < nearby_.foundCount(); ++i)
-    if (faults_.crosses(pick, pointOf(distinct_[nearby_.found(i)])))
-      return true;
-  return false;
+bool NeighborhoodBatch::crossesFault(const Vector3& pick) {
+  found_.clear();
+  Bounds box{pick, pick};
+  for (std::size_t i = 0; i < nearby_.foundCount(); ++i) {
+    found_.push_back(pointOf(distinct_[nearby_.found(i)]));
+    box.extend(found_.back());
+  }
+  return faults_.mayTouch(box) && std::any_of(found_.begin(), found_.end(), [&](const Vector3& q) { return faults_.crosses(pick, q); });
 }
 
 } // namespace graben::detail

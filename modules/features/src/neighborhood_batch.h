@@ -26,7 +26,7 @@ private:
   bool addDistinct();
   void search(const Index* picks);
   bool allJoin(const Vector3& pick);
-  bool crossesFault(const Vector3& pick, double squared_reach) const;
+  bool crossesFault(const Vector3& pick);
   const Vector3& pointOf(Index i) const { return points_[static_cast<std::size_t>(i)]; }
 
   const NeighborGrid& grid_;
@@ -42,7 +42,7 @@ private:
   std::vector<Moments> moments_;
   std::vector<std::size_t> open_; ///< picks whose neighbours are to be looked for in a wider ball
   NearbyPoints nearby_;
-  Points joined_, beyond_;
+  Points found_, within_step_, beyond_step_; ///< of one pick
   std::vector<PointRun> runs_;
   std::vector<Index> around_;         ///< the points around, in the order of their indices
   std::vector<Index> distinct_;       ///< those of them in nearby_
