@@ -1,5 +1,6 @@
 #pragma once
 
+#include "band_distances.h"
 #include "robust_plane.h"
 
 #include "graben/faults/fault_network.h"
@@ -34,7 +35,7 @@ struct PickField {
   double mean_distance;
   double scale;                  ///< least deviation to reckon with in robust fits
   double band;                   ///< distance to faults up to which picks are judged
-  std::vector<double> distances; ///< to the nearest fault; infinite beyond the band
+  BandDistances distances;       ///< to the nearest fault; infinite beyond the band
   std::vector<PickState> states;
   std::unordered_map<std::size_t, Home> homes; ///< of the wrong-side picks found so far
 

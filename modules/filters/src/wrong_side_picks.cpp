@@ -99,8 +99,6 @@ public:
   WrongSideResult run() {
     const std::size_t count = grid_.points().size();
     field_.states.assign(count, PickState::Trusted);
-    wrong_about_.assign(count, -1);
-    field_.distances.assign(count, std::numeric_limits<double>::infinity());
     if (grid_.size() > 0 && !faults_.empty())
       search();
     return result();
@@ -133,15 +131,16 @@ private:
   void sortIntoBins() {
     constexpr double MOST_BINS = 1000.0;
     const double width = std::max(BIN * options_.mean_distance, options_.band / MOST_BINS);
-    for (const auto& [i, distance] : picksNearFaults(grid_.points(), faults_, options_.band, &grid_.order(), options_.threads)) {
+    std::vector<PickNearFault> near = picksNearFaults(grid_.points(), faults_, options_.band, &grid_.order(), options_.threads);
+    judged_ = near.size();
+    for (const auto& [i, distance] : near) {
       const auto bin = static_cast<std::size_t>(distance / width);
       if (bin >= bins_.size())
         bins_.resize(bin + 1);
       bins_[bin].push_back(i);
-      field_.distances[static_cast<std::size_t>(i)] = distance;
       field_.states[static_cast<std::size_t>(i)] = PickState::Pending;
-      ++judged_;
     }
+    field_.distances = detail::BandDistances(grid_.points().size(), std::move(near));
   }
 
   double tolerance(const PlaneAt& plane, double deviations = DEVIATIONS) const {
@@ -231,7 +230,8 @@ private:
       field_.states[pick] = found[i].state;
       if (found[i].state == PickState::WrongSide)
         field_.homes[pick] = {found[i].home, found[i].example};
-      wrong_about_[pick] = found[i].fault;
+      if (found[i].state == PickState::WrongSide || found[i].state == PickState::Smeared)
+        flagged_.push_back({suspects[i], found[i].fault});
     }
   }
 
@@ -298,17 +298,15 @@ private:
     WrongSideResult result;
     result.reasons.assign(field_.states.size(), PickReason::Good);
     result.flagged_by_fault.assign(faults_.size(), 0);
-    for (std::size_t i = 0; i < field_.states.size(); ++i) {
-      if (field_.states[i] == PickState::WrongSide)
-        result.reasons[i] = PickReason::WrongSide;
-      else if (field_.states[i] == PickState::Smeared)
-        result.reasons[i] = PickReason::Smeared;
-      else
-        continue;
-      ++(result.reasons[i] == PickReason::WrongSide ? result.wrong_side : result.smeared);
-      ++result.flagged_by_fault[static_cast<std::size_t>(wrong_about_[i])];
+    std::sort(flagged_.begin(), flagged_.end(), [](const FlaggedPick& a, const FlaggedPick& b) { return a.pick < b.pick; });
+    for (const FlaggedPick& flagged : flagged_) {
+      const auto pick = static_cast<std::size_t>(flagged.pick);
+      const bool wrong = field_.states[pick] == PickState::WrongSide;
+      result.reasons[pick] = wrong ? PickReason::WrongSide : PickReason::Smeared;
+      ++(wrong ? result.wrong_side : result.smeared);
+      ++result.flagged_by_fault[static_cast<std::size_t>(flagged.fault)];
     }
-    result.faults = std::move(wrong_about_);
+    result.flagged = std::move(flagged_);
     result.judged = judged_;
     result.used = options_;
     return result;
@@ -318,7 +316,7 @@ private:
   const FaultNetwork& faults_;
   WrongSideOptions options_;
   PickField field_;
-  std::vector<Index> wrong_about_;       ///< the fault a flagged pick is flagged for, else -1
+  std::vector<FlaggedPick> flagged_;
   std::vector<std::vector<Index>> bins_; ///< nearest first
   std::size_t judged_ = 0;
 };

@@ -147,9 +147,10 @@ void ReconstructionJob::buildFaults(const std::vector<FaultGeometry>& faults) {
 
 /// Picks on the wrong side of a fault take no part in the surface; they stay in the results, each with its reason.
 void ReconstructionJob::setWrongSidePicksAside() {
-  reasons_.assign(picks_.points.size(), PickReason::Good);
-  if (faults_.empty() || options_.skip.wrong_side)
+  if (faults_.empty() || options_.skip.wrong_side) {
+    reasons_.assign(picks_.points.size(), PickReason::Good);
     return;
+  }
   WrongSideOptions o;
   o.mean_distance = mean_distance_;
   o.threads = options_.threads;
@@ -159,11 +160,11 @@ void ReconstructionJob::setWrongSidePicksAside() {
   reasons_ = std::move(found.reasons);
   if (found.wrong_side + found.smeared == 0)
     return;
-  for (std::size_t i = 0; i < picks_.points.size(); ++i)
-    if (reasons_[i] != PickReason::Good) {
-      aside_.emplace_back(static_cast<Index>(i), picks_.points[i]);
-      picks_.points[i].setConstant(std::numeric_limits<double>::quiet_NaN());
-    }
+  for (const FlaggedPick& flagged : found.flagged) {
+    Vector3& place = picks_.points[static_cast<std::size_t>(flagged.pick)];
+    aside_.emplace_back(flagged.pick, place);
+    place.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
   const auto is_aside = [this](const MeasuredNormal& m) { return reasons_[static_cast<std::size_t>(m.pick)] != PickReason::Good; };
   const auto kept = std::remove_if(picks_.measured.begin(), picks_.measured.end(), is_aside);
   result_.report.measurements_set_aside = static_cast<std::size_t>(picks_.measured.end() - kept);

@@ -1,5 +1,7 @@
 #include "graben/filters/fault_distance.h"
 
+#include "band_distances.h"
+
 #include "graben/core/errors.h"
 #include "graben/features/neighbor_grid.h"
 #include "unit/filters/two_sheets.h"
@@ -54,6 +56,16 @@ TEST(FaultDistance, OnlyThePicksAskedForInTheirOrder) {
     EXPECT_EQ(near.distance, c.sheets.faults.nearest(c.sheets.points[static_cast<std::size_t>(near.pick)]).distance);
   }
   EXPECT_EQ(found, (std::vector<Index>{30, 2, 30}));
+}
+
+TEST(FaultDistance, KeptForTheFewThatHaveOne) {
+  std::vector<PickNearFault> near;
+  std::vector<double> expected(1000, std::numeric_limits<double>::infinity());
+  for (const Index pick : {999, 0, 63, 64, 65, 127, 128, 500})
+    near.push_back({pick, expected[static_cast<std::size_t>(pick)] = 0.5 * pick + 1.0});
+  const detail::BandDistances distances(expected.size(), near);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    ASSERT_EQ(distances[i], expected[i]) << i;
 }
 
 TEST(FaultDistance, RejectsLimitsOutOfRange) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace graben {
@@ -33,10 +34,12 @@ TEST(WrongSidePicks, GivesEachPickItsReasonAndCounts) {
   EXPECT_EQ(result.wrong_side, 2U);
   EXPECT_EQ(result.smeared, 1U);
   EXPECT_EQ(result.flagged_by_fault, std::vector<std::size_t>{3});
-  for (std::size_t i = 0; i < sheets.points.size(); ++i) {
-    const bool flagged = result.reasons[i] != PickReason::Good;
-    ASSERT_EQ(result.faults[i], flagged ? 0 : -1);
-    ASSERT_EQ(flagged, i >= sheets.points.size() - 3);
+  for (std::size_t i = 0; i < sheets.points.size(); ++i)
+    ASSERT_EQ(result.reasons[i] != PickReason::Good, i >= sheets.points.size() - 3);
+  ASSERT_EQ(result.flagged.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(result.flagged[i].pick, wrong + static_cast<Index>(i));
+    EXPECT_EQ(result.flagged[i].fault, 0);
   }
 }
 
@@ -69,8 +72,8 @@ TEST(WrongSidePicks, TellsASheetBeyondTwoFaults) {
   const Index across = sheets.add(24.0, 3.0, 0.5);
   const WrongSideResult result = search(sheets.points, faults);
   EXPECT_EQ(reasonOf(result, across), PickReason::WrongSide);
-  EXPECT_EQ(result.faults[static_cast<std::size_t>(across)], 1) << "the nearer of the two";
-  EXPECT_EQ(result.wrong_side + result.smeared, 1U);
+  ASSERT_EQ(result.flagged.size(), 1U);
+  EXPECT_EQ(result.flagged.front().fault, 1) << "the nearer of the two";
 }
 
 TEST(WrongSidePicks, ANarrowWedgeGoesByItsMajority) {
@@ -144,7 +147,8 @@ TEST(WrongSidePicks, SameForAnyNumberOfThreads) {
   const WrongSideResult five = findWrongSidePicks(job.grid, *job.faults, search_options);
   EXPECT_GT(one.wrong_side, 100U);
   EXPECT_EQ(one.reasons, five.reasons);
-  EXPECT_EQ(one.faults, five.faults);
+  EXPECT_TRUE(std::equal(one.flagged.begin(), one.flagged.end(), five.flagged.begin(), five.flagged.end(),
+                         [](const FlaggedPick& a, const FlaggedPick& b) { return a.pick == b.pick && a.fault == b.fault; }));
   EXPECT_EQ(one.used.sigma, five.used.sigma);
 }
 

@@ -31,11 +31,16 @@ struct WrongSideOptions {
   unsigned threads = 0; ///< 0: one per processor
 };
 
-/// What was found; arrays have one entry per point of the grid.
+/// A pick that is not good.
+struct FlaggedPick {
+  Index pick;
+  Index fault; ///< that it is on the wrong side of, or smeared along
+};
+
+/// What was found.
 struct WrongSideResult {
-  std::vector<PickReason> reasons;
-  std::vector<Index> faults;  ///< fault that a flagged pick is on the wrong side of, or smeared
-                              ///< along; -1 for good picks
+  std::vector<PickReason> reasons;  ///< one for each point of the grid
+  std::vector<FlaggedPick> flagged; ///< in rising order
   std::size_t wrong_side = 0; ///< picks with that reason
   std::size_t smeared = 0;    ///< picks with that reason
   std::size_t judged = 0;     ///< finite picks within the band
