@@ -4,19 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace graben {
 
 namespace {
 
-constexpr std::size_t kLeafSize = 2;
+constexpr std::size_t kLeafSize = 2;  ///< triangles
 constexpr std::size_t kSubtree = 4096; ///< ranges up to this are built by one thread
 constexpr int kBalancedDepth = 32;     ///< from here on split at the median, so that the depth stays below 64 halvings
 
-/// A triangle in the making of the hierarchy: the centre of its box.
+/// What the hierarchy is made of: a triangle, or two that follow each other in the mesh and share an edge, and the centre of their box.
 struct Item {
   std::array<float, 3> centre;
-  Index triangle;
+  std::uint32_t code; ///< 2 * first triangle + count - 1
+
+  std::size_t triangle() const { return code / 2; }
+  std::size_t count() const { return 1 + code % 2; }
 };
 
 struct Range {
@@ -24,6 +28,7 @@ struct Range {
   Item* end;
   int depth;
   std::size_t size() const { return static_cast<std::size_t>(end - begin); }
+  bool isLeaf() const { return size() == 1 || (size() == 2 && begin->count() + begin[1].count() <= kLeafSize); }
 };
 
 /// Halves a range in the middle of the axis along which it is longest. \return the start of the second half
@@ -47,7 +52,7 @@ Item* halve(const Range& range) {
   }
   Item* const median = range.begin + range.size() / 2;
   std::nth_element(range.begin, median, range.end, [axis](const Item& i, const Item& j) {
-    return i.centre[axis] != j.centre[axis] ? i.centre[axis] < j.centre[axis] : i.triangle < j.triangle;
+    return i.centre[axis] != j.centre[axis] ? i.centre[axis] < j.centre[axis] : i.code < j.code;
   });
   return median;
 }
@@ -59,13 +64,13 @@ struct Parts {
 
   Parts() = default;
   explicit Parts(const Range& range) {
-    if (range.size() <= kLeafSize) {
+    if (range.isLeaf()) {
       ranges[count++] = range;
       return;
     }
     Item* const middle = halve(range);
     for (const Range& half : {Range{range.begin, middle, range.depth + 1}, Range{middle, range.end, range.depth + 1}}) {
-      if (half.size() <= kLeafSize) {
+      if (half.isLeaf()) {
         ranges[count++] = half;
         continue;
       }
@@ -110,21 +115,15 @@ public:
   BvhBuilder(TriangleBvh& bvh, const TriangleMesh& mesh, unsigned threads)
       : bvh_(bvh)
       , mesh_(mesh)
-      , threads_(mesh.triangles.size() <= kSubtree ? 1 : threads)
-      , items_(mesh.triangles.size()) {}
+      , threads_(mesh.triangles.size() <= kSubtree ? 1 : threads) {}
 
   void run() {
     bvh_.bounds_ = boundsOfTriangles(mesh_, threads_);
     chooseUnits();
-    placeItems();
+    listItems();
     splitUpper();
     buildSubtrees();
-    bvh_.order_.resize(items_.size());
-    bvh_.triangles_.resize(items_.size());
-    parallelFor(items_.size(), 1 << 14, threads_, [&](std::size_t i) {
-      bvh_.order_[i] = items_[i].triangle;
-      bvh_.triangles_[i] = mesh_.triangles[static_cast<std::size_t>(items_[i].triangle)];
-    });
+    placeTriangles();
   }
 
 private:
@@ -147,12 +146,60 @@ private:
     bvh_.per_length_ = std::ldexp(1.0, std::clamp(-exponent, -1021, 1000));
   }
 
-  void placeItems() {
-    parallelFor(items_.size(), 1 << 14, threads_, [&](std::size_t t) {
-      items_[t].triangle = static_cast<Index>(t);
-      const Box box = boxOf(items_[t]);
-      for (std::size_t a = 0; a < 3; ++a)
-        items_[t].centre[a] = 0.5F * (box.low[a] + box.high[a]);
+  bool shareEdge(std::size_t t, std::size_t u) const {
+    int shared = 0;
+    for (const Index v : mesh_.triangles[t])
+      for (const Index w : mesh_.triangles[u])
+        shared += v == w ? 1 : 0;
+    return shared >= 2;
+  }
+
+  void listItems() {
+    constexpr std::size_t kGrain = 1 << 14;
+    const std::size_t triangles = mesh_.triangles.size();
+    std::vector<std::vector<Item>> blocks((triangles + kGrain - 1) / kGrain);
+    parallelBlocks(triangles, kGrain, threads_, [&](std::size_t begin, std::size_t end) {
+      std::vector<Item>& items = blocks[begin / kGrain];
+      items.reserve((end - begin) * 5 / 8);
+      for (std::size_t t = begin; t < end; t += items.back().count()) {
+        const bool pair = t + 1 < end && shareEdge(t, t + 1);
+        Item item{{}, static_cast<std::uint32_t>(2 * t + (pair ? 1 : 0))};
+        const Box box = boxOf(item);
+        for (std::size_t a = 0; a < 3; ++a)
+          item.centre[a] = 0.5F * (box.low[a] + box.high[a]);
+        items.push_back(item);
+      }
+    });
+    std::vector<std::size_t> first{0};
+    for (const std::vector<Item>& block : blocks)
+      first.push_back(first.back() + block.size());
+    items_.resize(first.back());
+    parallelFor(blocks.size(), 1, threads_, [&](std::size_t b) {
+      std::copy(blocks[b].begin(), blocks[b].end(), items_.begin() + static_cast<std::ptrdiff_t>(first[b]));
+      std::vector<Item>().swap(blocks[b]);
+    });
+  }
+
+  /// Puts the triangles in the order of the items and turns items into places in the leaves.
+  void placeTriangles() {
+    std::vector<std::uint32_t> place(items_.size());
+    std::uint32_t next = 0;
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      place[i] = next;
+      next += static_cast<std::uint32_t>(items_[i].count());
+    }
+    bvh_.order_.resize(mesh_.triangles.size());
+    bvh_.triangles_.resize(mesh_.triangles.size());
+    parallelFor(items_.size(), 1 << 14, threads_, [&](std::size_t i) {
+      for (std::size_t k = 0; k < items_[i].count(); ++k) {
+        bvh_.order_[place[i] + k] = static_cast<Index>(items_[i].triangle() + k);
+        bvh_.triangles_[place[i] + k] = mesh_.triangles[items_[i].triangle() + k];
+      }
+    });
+    parallelFor(bvh_.nodes_.size(), 1 << 12, threads_, [&](std::size_t n) {
+      for (Index& child : bvh_.nodes_[n].child)
+        if (child < 0 && child != Node::kNoChild)
+          child = ~(2 * static_cast<Index>(place[Node::firstPlace(child)]) + ~child % 2);
     });
   }
 
@@ -168,7 +215,7 @@ private:
         for (std::size_t k = 0; k < parts[i].count; ++k) {
           const Range& range = parts[i].ranges[k];
           const std::size_t node = level[i].first;
-          if (range.size() <= kLeafSize) {
+          if (range.isLeaf()) {
             setLeaf(bvh_.nodes_[node], k, range);
           } else if (range.size() <= kSubtree) {
             waiting_.push_back({range, node, k});
@@ -215,7 +262,7 @@ private:
     nodes.emplace_back();
     const Parts parts(range);
     for (std::size_t k = 0; k < parts.count; ++k) {
-      if (parts.ranges[k].size() <= kLeafSize) {
+      if (parts.ranges[k].isLeaf()) {
         setLeaf(nodes[node], k, parts.ranges[k]);
         continue;
       }
@@ -226,17 +273,19 @@ private:
     return node;
   }
 
+  /// Names the leaf by its first item; placeTriangles() turns that into a place.
   void setLeaf(Node& node, std::size_t slot, const Range& range) const {
-    std::sort(range.begin, range.end, [](const Item& i, const Item& j) { return i.triangle < j.triangle; });
+    std::sort(range.begin, range.end, [](const Item& i, const Item& j) { return i.code < j.code; });
     Box box;
+    std::size_t count = 0;
     for (const Item* item = range.begin; item != range.end; ++item) {
       const Box one = boxOf(*item);
       for (std::size_t a = 0; a < 3; ++a)
         box.extend(a, one.low[a], one.high[a]);
+      count += item->count();
     }
     setBox(node, slot, box);
-    const auto first = static_cast<Index>(range.begin - items_.data());
-    node.child[slot] = ~(2 * first + static_cast<Index>(range.size()) - 1);
+    node.child[slot] = ~(2 * static_cast<Index>(range.begin - items_.data()) + static_cast<Index>(count) - 1);
   }
 
   static void setBox(Node& node, std::size_t slot, const Box& box) {
@@ -248,13 +297,14 @@ private:
 
   Box boxOf(const Item& item) const {
     Box box;
-    for (const Index v : mesh_.triangles[static_cast<std::size_t>(item.triangle)]) {
-      const Vector3 p = bvh_.scaled(mesh_.vertices[static_cast<std::size_t>(v)]);
-      for (std::size_t a = 0; a < 3; ++a) {
-        const auto x = static_cast<float>(p[static_cast<Eigen::Index>(a)]);
-        box.extend(a, x, x);
+    for (std::size_t t = item.triangle(); t < item.triangle() + item.count(); ++t)
+      for (const Index v : mesh_.triangles[t]) {
+        const Vector3 p = bvh_.scaled(mesh_.vertices[static_cast<std::size_t>(v)]);
+        for (std::size_t a = 0; a < 3; ++a) {
+          const auto x = static_cast<float>(p[static_cast<Eigen::Index>(a)]);
+          box.extend(a, x, x);
+        }
       }
-    }
     return box;
   }
 

@@ -52,25 +52,25 @@ void toPieces(const TriangleMesh& mesh, const std::vector<double>& distance, dou
 
 } // namespace
 
-std::vector<Index> evaluate(const FinishedSurface& surface, unsigned threads, ReconstructionReport& report) {
+void evaluate(const FinishedSurface& surface, unsigned threads, ReconstructionReport& report) {
   const TriangleMesh& mesh = surface.cut.mesh;
-  std::vector<Index> pieces;
   report.topology = checkTopology(mesh, surface.connections, surface.components, threads);
   report.quality = triangleQuality(mesh, threads);
-  if (mesh.empty()) {
-    pieces.assign(surface.picks.size(), -1);
-  } else {
-    PickDistances found = pickDistances(TriangleBvh(mesh, threads), surface.picks, threads);
-    report.zone_after_fit = approximationError(found.distance, surface.zone, threads);
-    toPieces(mesh, found.distance, report.used.fault_reach, threads, found.triangle);
-    report.all_picks = approximationError(std::move(found.distance), threads);
-    pieces = std::move(found.triangle);
-  }
   if (!surface.faults.empty())
     evaluateFaults(surface.cut, surface.faults, threads, report);
   if (!report.topology.ok())
     report.warnings.push_back("The mesh has topological faults; see topology in the report.");
-  return pieces;
+}
+
+std::vector<Index> evaluatePicks(const TriangleMesh& mesh, const Points& picks, const std::vector<Index>& zone, unsigned threads,
+                                 ReconstructionReport& report) {
+  if (mesh.empty())
+    return std::vector<Index>(picks.size(), -1);
+  PickDistances found = pickDistances(TriangleBvh(mesh, threads), picks, threads);
+  report.zone_after_fit = approximationError(found.distance, zone, threads);
+  toPieces(mesh, found.distance, report.used.fault_reach, threads, found.triangle);
+  report.all_picks = approximationError(std::move(found.distance), threads);
+  return std::move(found.triangle);
 }
 
 } // namespace graben

@@ -11,18 +11,21 @@ namespace graben {
 /// A vertex this near to a fault lies on it; in voxels. Where bridges are looked for to remove them and to count them it must be the same.
 constexpr double kOnFault = 0.01;
 
-/// The finished surface and what it is measured against, in the local frame.
+/// The finished surface in the local frame, with piece labels.
 struct FinishedSurface {
-  const CutMesh& cut; ///< with piece labels
+  const CutMesh& cut;
   const MeshConnections& connections;
   const Components& components;
   const FaultNetwork& faults;
-  const Points& picks;
-  const std::vector<Index>& zone; ///< picks near the faults
 };
 
-/// Fills in the figures of the finished surface.
+/// Fills in the figures of the surface itself and of its faults.
+void evaluate(const FinishedSurface& surface, unsigned threads, ReconstructionReport& report);
+
+/// Fills in the picks' distances to the finished mesh.
+/// \param[in] zone the picks near the faults
 /// \return the piece nearest to each pick, -1 where none is within the report's fault reach
-std::vector<Index> evaluate(const FinishedSurface& surface, unsigned threads, ReconstructionReport& report);
+std::vector<Index> evaluatePicks(const TriangleMesh& mesh, const Points& picks, const std::vector<Index>& zone, unsigned threads,
+                                 ReconstructionReport& report);
 
 } // namespace graben

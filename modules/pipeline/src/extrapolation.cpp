@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace graben {
@@ -19,22 +20,43 @@ bool hidden(const FaultNetwork& faults, const Vector3& from, const Vector3& pick
   return faults.mayTouch(box) && faults.crosses(from, pick);
 }
 
-double distanceToPicks(const Vector3& vertex, const Vector3& viewpoint, const NeighborGrid& picks, const FaultNetwork& faults) {
-  const Neighbor nearest = picks.nearestOne(vertex);
-  const auto place = [&](const Neighbor& n) { return picks.points()[static_cast<std::size_t>(n.index)]; };
-  if (nearest.index < 0 || faults.empty() || !hidden(faults, viewpoint, place(nearest)))
-    return std::sqrt(nearest.squared_distance);
+Vector3 placeOf(const NeighborGrid& picks, const Neighbor& pick) { return picks.points()[static_cast<std::size_t>(pick.index)]; }
+
+/// The distance of the nearest pick that no fault hides; the nearest of all is known to be hidden.
+double distanceToVisible(const Vector3& vertex, const Vector3& viewpoint, const NeighborGrid& picks, const FaultNetwork& faults) {
   std::vector<Neighbor> candidates;
   std::size_t seen = 1;
   for (std::size_t count = 16; count <= 1024; count *= 4) {
     picks.nearest(vertex, count, candidates);
     for (; seen < candidates.size(); ++seen)
-      if (!hidden(faults, viewpoint, place(candidates[seen])))
+      if (!hidden(faults, viewpoint, placeOf(picks, candidates[seen])))
         return std::sqrt(candidates[seen].squared_distance);
     if (candidates.size() < count)
       break;
   }
   return std::sqrt(candidates.back().squared_distance);
+}
+
+/// Distances of a run of vertices; most runs are far from all faults, where nothing is hidden.
+void measure(const TriangleMesh& mesh, const Viewpoints& from, std::size_t begin, std::size_t end, const NeighborGrid& picks,
+             const FaultNetwork& faults, double* distance) {
+  std::vector<Neighbor> nearest(end - begin);
+  Bounds box;
+  for (std::size_t v = begin; v < end; ++v) {
+    Neighbor& pick = nearest[v - begin];
+    pick = picks.nearestOne(mesh.vertices[v]);
+    distance[v - begin] = std::sqrt(pick.squared_distance);
+    box.extend(from.of(static_cast<Index>(v)));
+    if (pick.index >= 0)
+      box.extend(placeOf(picks, pick));
+  }
+  if (faults.empty() || !faults.mayTouch(box))
+    return;
+  for (std::size_t v = begin; v < end; ++v) {
+    const Vector3 viewpoint = from.of(static_cast<Index>(v));
+    if (nearest[v - begin].index >= 0 && hidden(faults, viewpoint, placeOf(picks, nearest[v - begin])))
+      distance[v - begin] = distanceToVisible(mesh.vertices[v], viewpoint, picks, faults);
+  }
 }
 
 double area(const TriangleMesh& mesh, const Triangle& t) {
@@ -51,10 +73,14 @@ Extrapolation markExtrapolation(CutMesh& cut, const NeighborGrid& picks, const F
   std::vector<float>& extrapolated = mesh.scalars["extrapolated"];
   distance.resize(mesh.vertices.size());
   extrapolated.resize(mesh.vertices.size());
-  parallelFor(mesh.vertices.size(), 256, options.threads, [&](std::size_t v) {
-    const double d = distanceToPicks(mesh.vertices[v], from.of(static_cast<Index>(v)), picks, faults);
-    distance[v] = static_cast<float>(d);
-    extrapolated[v] = d > options.limit ? 1.0F : 0.0F;
+  constexpr std::size_t kRun = 256;
+  parallelBlocks(mesh.vertices.size(), kRun, options.threads, [&](std::size_t begin, std::size_t end) {
+    std::array<double, kRun> run;
+    measure(mesh, from, begin, end, picks, faults, run.data());
+    for (std::size_t v = begin; v < end; ++v) {
+      distance[v] = static_cast<float>(run[v - begin]);
+      extrapolated[v] = run[v - begin] > options.limit ? 1.0F : 0.0F;
+    }
   });
 
   Extrapolation result;

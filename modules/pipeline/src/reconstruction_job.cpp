@@ -223,10 +223,23 @@ void ReconstructionJob::finish() {
     computeVertexNormals(cut_.mesh, options_.threads);
   else
     tidy();
-  const Components components = labelPieces(cut_.mesh, options_.threads);
   if (options_.keep_picks)
     normals_ = std::move(planes_.normals);
   planes_ = TangentPlanes();
+  measureSurface();
+  const std::vector<Index> pieces = evaluatePicks(cut_.mesh, picks_.points, zone_, options_.threads, result_.report);
+  if (options_.keep_picks)
+    handOutPicks(pieces);
+  picks_ = OrderedPicks();
+  for (std::size_t f = 0; f < faults_.size(); ++f)
+    result_.faults.push_back(toUserFrame(faults_.fault(f), result_.frame));
+  result_.mesh = toUserFrame(std::move(cut_.mesh), result_.frame);
+  result_.vertex_faults = std::move(cut_.vertex_faults);
+}
+
+/// All but the picks' distances; the grid and the connections go when they have served, and the picks set aside come back.
+void ReconstructionJob::measureSurface() {
+  const Components components = labelPieces(cut_.mesh, options_.threads);
   ExtrapolationOptions extrapolation;
   extrapolation.limit = rhoPlusDelta();
   extrapolation.threads = options_.threads;
@@ -234,15 +247,9 @@ void ReconstructionJob::finish() {
   grid_ = NeighborGrid();
   for (const auto& [pick, place] : aside_)
     picks_.points[static_cast<std::size_t>(pick)] = place;
-  const std::vector<Index> pieces = evaluate({cut_, connections(), components, faults_, picks_.points, zone_}, options_.threads, result_.report);
-  if (options_.keep_picks)
-    handOutPicks(pieces);
-  picks_ = OrderedPicks();
+  evaluate({cut_, connections(), components, faults_}, options_.threads, result_.report);
   readThrowsOff();
-  for (std::size_t f = 0; f < faults_.size(); ++f)
-    result_.faults.push_back(toUserFrame(faults_.fault(f), result_.frame));
-  result_.mesh = toUserFrame(std::move(cut_.mesh), result_.frame);
-  result_.vertex_faults = std::move(cut_.vertex_faults);
+  connections_.reset();
 }
 
 } // namespace graben

@@ -38,6 +38,7 @@ private:
   void estimateNormals();
   void orient();
   void finish();
+  void measureSurface();
   void readThrowsOff();
   void handOutPicks(const std::vector<Index>& pieces);
 
