@@ -68,7 +68,7 @@ double area(const TriangleMesh& mesh, const Triangle& t) {
 
 Extrapolation markExtrapolation(CutMesh& cut, const NeighborGrid& picks, const FaultNetwork& faults, const ExtrapolationOptions& options) {
   TriangleMesh& mesh = cut.mesh;
-  const Viewpoints from(cut);
+  const Viewpoints from(cut, VertexCorners(mesh, options.threads));
   std::vector<float>& distance = mesh.scalars["pick_distance"];
   std::vector<float>& extrapolated = mesh.scalars["extrapolated"];
   distance.resize(mesh.vertices.size());

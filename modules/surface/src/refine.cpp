@@ -53,8 +53,8 @@ public:
       support_(fit.usualRadius(options.models.near.neighbors)), tips_(fit.faults(), fit.grid(), 0.5 * fit.usualRadius(3), support_) {}
 
   /// Moves the vertices named. \return those of them that took the longest step allowed
-  std::vector<Index> pass(const std::vector<Index>& vertices, const VertexMover& mover) {
-    const Viewpoints viewpoints(cut_);
+  std::vector<Index> pass(const std::vector<Index>& vertices, const VertexCorners& corners, const VertexMover& mover) {
+    const Viewpoints viewpoints(cut_, corners);
     Points targets = mover.places(cut_);
     std::vector<std::uint8_t> stopped(vertices.size(), 0);
     parallelBlocks(vertices.size(), 256, options_.threads, [&](std::size_t begin, std::size_t end) {
@@ -166,13 +166,14 @@ private:
 
 void refine(CutMesh& cut, const LocalFit& fit, const RefineOptions& options) {
   Refiner refiner(cut, fit, options);
-  const VertexMover mover(cut, fit.faults(), options.threads);
-  computeVertexNormals(cut.mesh, options.threads);
+  const VertexCorners corners(cut.mesh, options.threads);
+  const VertexMover mover(cut, corners, fit.faults(), options.threads);
+  computeVertexNormals(cut.mesh, corners, options.threads);
   std::vector<Index> vertices(cut.mesh.vertices.size());
   std::iota(vertices.begin(), vertices.end(), 0);
   for (unsigned pass = 0; pass < options.passes; ++pass) {
     // Vertices away from faults are on the surface then; those cut short or that may have been moved along a fault go again.
-    const std::vector<Index> longest = refiner.pass(vertices, mover);
+    const std::vector<Index> longest = refiner.pass(vertices, corners, mover);
     vertices.clear();
     std::set_union(mover.belt().begin(), mover.belt().end(), longest.begin(), longest.end(), std::back_inserter(vertices));
   }

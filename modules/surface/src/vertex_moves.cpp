@@ -38,30 +38,37 @@ void growRings(const std::vector<Triangle>& triangles, int rings, std::vector<st
   }
 }
 
-VertexMover::VertexMover(const CutMesh& cut, const FaultNetwork& faults, unsigned threads) : faults_(faults), threads_(threads) {
+VertexMover::VertexMover(const CutMesh& cut, const VertexCorners& corners, const FaultNetwork& faults, unsigned threads)
+  : faults_(faults), threads_(threads) {
   if (faults.empty())
     return;
   in_.assign(cut.mesh.vertices.size(), 0);
   for (std::size_t v = 0; v < in_.size(); ++v)
-    in_[v] = cut.onFault(static_cast<Index>(v)) ? 1 : 0;
-  growRings(cut.mesh.triangles, kRings, in_);
-  for (std::size_t v = 0; v < in_.size(); ++v)
-    if (in_[v] != 0)
+    if (cut.onFault(static_cast<Index>(v)))
       belt_.push_back(static_cast<Index>(v));
-  std::vector<std::array<Index, 2>> edges;
-  for (const Triangle& t : cut.mesh.triangles)
-    for (std::size_t c = 0; c < 3; ++c)
-      if (in_[static_cast<std::size_t>(t[c])] != 0) {
-        edges.push_back({t[c], t[(c + 1) % 3]});
-        edges.push_back({t[c], t[(c + 2) % 3]});
-      }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  auto edge = edges.begin();
+  for (const Index v : belt_)
+    in_[static_cast<std::size_t>(v)] = 1;
+  const auto forEachAround = [&](Index vertex, const auto& visit) {
+    for (const Index corner : corners.of(static_cast<std::size_t>(vertex)))
+      for (const Index w : cut.mesh.triangles[static_cast<std::size_t>(corner) / 3])
+        if (w != vertex)
+          visit(w);
+  };
+  std::size_t done = 0;
+  for (int ring = 0; ring < kRings; ++ring)
+    for (const std::size_t end = belt_.size(); done < end; ++done)
+      forEachAround(belt_[done], [this](Index w) {
+        if (in_[static_cast<std::size_t>(w)] == 0)
+          belt_.push_back(w);
+        in_[static_cast<std::size_t>(w)] = 1;
+      });
+  std::sort(belt_.begin(), belt_.end());
   for (const Index v : belt_) {
+    const auto first = static_cast<std::ptrdiff_t>(neighbors_.size());
     first_.push_back(neighbors_.size());
-    for (; edge != edges.end() && (*edge)[0] == v; ++edge)
-      neighbors_.push_back((*edge)[1]);
+    forEachAround(v, [this](Index w) { neighbors_.push_back(w); });
+    std::sort(neighbors_.begin() + first, neighbors_.end());
+    neighbors_.erase(std::unique(neighbors_.begin() + first, neighbors_.end()), neighbors_.end());
   }
   first_.push_back(neighbors_.size());
   for (const Index neighbor : neighbors_)

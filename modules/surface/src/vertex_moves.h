@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/faults/fault_network.h"
+#include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
 
 #include <cstdint>
@@ -17,10 +18,11 @@ void growRings(const std::vector<Triangle>& triangles, int rings, std::vector<st
 ///
 /// Where vertices on a fault slide along it, the vertices beside them are drawn along, so that triangles keep their shape. A vertex that would
 /// still end beyond a fault stops short of it. Holds for one mesh and its triangles, through any number of moves. Deterministic for any number of
-/// threads; O(vertices) to build, then in proportion to the vertices near faults.
+/// threads; A move takes time in proportion to the vertices near faults.
 class VertexMover {
 public:
-  VertexMover(const CutMesh& cut, const FaultNetwork& faults, unsigned threads);
+  /// \param[in] corners of the mesh, used by the constructor alone
+  VertexMover(const CutMesh& cut, const VertexCorners& corners, const FaultNetwork& faults, unsigned threads);
 
   /// The vertices within a few rings of triangles of the faults, in rising order; all others may be moved at will.
   const std::vector<Index>& belt() const { return belt_; }

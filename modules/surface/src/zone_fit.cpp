@@ -18,9 +18,9 @@ namespace {
 
 class ZoneFitter {
 public:
-  ZoneFitter(const CutMesh& cut, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
+  ZoneFitter(const CutMesh& cut, const VertexCorners& corners, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
              const ZoneFitOptions& options)
-    : cut_(cut), grid_(grid), planes_(planes), faults_(faults), borders_(faults), options_(options), viewpoints_(cut) {}
+    : cut_(cut), grid_(grid), planes_(planes), faults_(faults), borders_(faults), options_(options), viewpoints_(cut, corners) {}
 
   /// The new position of a vertex; false if it has too few picks.
   bool fit(Index vertex, Vector3& position, std::vector<Neighbor>& candidates) const {
@@ -106,12 +106,12 @@ ZoneFitResult fitZone(CutMesh& cut, const NeighborGrid& grid, const TangentPlane
   if (options.mode == FitMode::Off)
     return result;
   const std::vector<Index> zone = zoneVertices(cut, faults, options);
-  const VertexMover mover(cut, faults, options.threads);
   const VertexCorners corners(cut.mesh, options.threads);
+  const VertexMover mover(cut, corners, faults, options.threads);
   cut.mesh.normals.resize(cut.mesh.vertices.size(), Vector3::UnitZ());
   for (unsigned pass = 0; pass < options.passes; ++pass) {
     updateVertexNormals(cut.mesh, corners, zone, options.threads);
-    const ZoneFitter fitter(cut, grid, planes, faults, options);
+    const ZoneFitter fitter(cut, corners, grid, planes, faults, options);
     Points targets = mover.places(cut);
     std::vector<std::uint8_t> done(zone.size(), 0);
     parallelBlocks(zone.size(), 64, options.threads, [&](std::size_t begin, std::size_t end) {

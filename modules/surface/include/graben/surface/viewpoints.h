@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
 
 #include <vector>
@@ -9,10 +10,11 @@ namespace graben {
 /// From where the vertices of a mesh ask on which side of the faults a pick lies: those on a fault from a place just inside the mesh beside them, all
 /// others from where they are.
 ///
-/// Holds the mesh by reference: a vertex off the faults that moves takes its viewpoint along, one on a fault does not. O(triangles) to build.
+/// Holds the mesh by reference: a vertex off the faults that moves takes its viewpoint along, one on a fault does not. O(vertices) to build.
 class Viewpoints {
 public:
-  explicit Viewpoints(const CutMesh& cut);
+  /// \param[in] corners of the mesh, used by the constructor alone
+  Viewpoints(const CutMesh& cut, const VertexCorners& corners);
 
   const Vector3& of(Index vertex) const;
 
