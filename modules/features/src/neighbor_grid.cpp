@@ -15,6 +15,7 @@ using detail::NeighborGridData;
 
 const Points NO_POINTS;
 constexpr std::int64_t MAX_BLOCKS = 64; // visited by one query; beyond, the tree is faster
+constexpr std::size_t MANY = 4096, POINTS_A_BLOCK = 16; // points that a query may look at, and for how many of them it may visit one block more
 
 /// Cells that a cube around a query, or a box with a margin, overlaps.
 struct CellRange {
@@ -135,7 +136,7 @@ bool gather(const NeighborGridData& data, const Vector3& query, double limit, st
   const CellRange range(data.lattice, query, std::sqrt(limit));
   const double x = query.x(), y = query.y(), z = query.z();
   out.count = 0;
-  if (range.blocks() > MAX_BLOCKS)
+  if (range.blocks() > MAX_BLOCKS + static_cast<std::int64_t>(std::min<std::size_t>(budget, MANY) / POINTS_A_BLOCK))
     return false;
   return visitRange(data, range, budget, [&](std::size_t first, std::size_t end) {
     out.makeRoomFor(end - first);

@@ -152,14 +152,20 @@ void NeighborhoodBatch::search(const Index* picks) {
 
 /// Whether each of the points found that is farther than a step is a step from one that is not, and so surely joins in its turn.
 bool NeighborhoodBatch::allJoin(const Vector3& pick) {
-  within_step_.clear();
-  beyond_step_.clear();
-  for (std::size_t i = 0; i < nearby_.foundCount(); ++i) {
-    const Vector3& q = pointOf(distinct_[nearby_.found(i)]);
-    ((q - pick).squaredNorm() < squared_step_ ? within_step_ : beyond_step_).push_back(q);
+  const std::size_t count = nearby_.foundCount();
+  within_step_.resize(count);
+  beyond_step_.resize(count);
+  std::size_t within = 0, beyond = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Index q = distinct_[nearby_.found(i)];
+    const bool joins = (pointOf(q) - pick).squaredNorm() < squared_step_;
+    within_step_[within] = beyond_step_[beyond] = q;
+    within += joins ? 1 : 0;
+    beyond += joins ? 0 : 1;
   }
-  return std::all_of(beyond_step_.begin(), beyond_step_.end(), [this](const Vector3& q) {
-    return std::any_of(within_step_.begin(), within_step_.end(), [&](const Vector3& n) { return (n - q).squaredNorm() < squared_step_; });
+  const auto is_step = [&](Index q, Index n) { return (pointOf(n) - pointOf(q)).squaredNorm() < squared_step_; };
+  return std::all_of(beyond_step_.data(), beyond_step_.data() + beyond, [&](Index q) {
+    return std::any_of(within_step_.data(), within_step_.data() + within, [&](Index n) { return is_step(q, n); });
   });
 }
 

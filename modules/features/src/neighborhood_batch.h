@@ -42,7 +42,8 @@ private:
   std::vector<Moments> moments_;
   std::vector<std::size_t> open_; ///< picks whose neighbours are to be looked for in a wider ball
   NearbyPoints nearby_;
-  Points found_, within_step_, beyond_step_; ///< of one pick
+  Points found_;                                ///< neighbours of one pick
+  std::vector<Index> within_step_, beyond_step_; ///< the same by their distance to it
   std::vector<PointRun> runs_;
   std::vector<Index> around_;         ///< the points around, in the order of their indices
   std::vector<Index> distinct_;       ///< those of them in nearby_
