@@ -19,4 +19,6 @@ inline Bounds grown(Bounds box, double by) {
   return box;
 }
 
+inline bool contains(const Bounds& box, const Vector3& p) { return (p.array() >= box.low.array()).all() && (p.array() <= box.high.array()).all(); }
+
 } // namespace graben

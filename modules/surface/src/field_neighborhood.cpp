@@ -1,6 +1,9 @@
 #include "field_neighborhood.h"
 
+#include "box_around.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace graben {
 
@@ -14,9 +17,11 @@ bool closer(const Neighbor& a, const Neighbor& b) {
 
 } // namespace
 
-void NearbyPicks::gather(const FieldData& data, const Vector3& centre, double radius, const Bounds& viewpoints) {
-  centre_ = centre;
-  radius_ = radius;
+void NearbyPicks::gather(const FieldData& data, const Bounds& places, double reach, const Bounds& viewpoints) {
+  box_ = places;
+  reach_ = reach;
+  centre_ = 0.5 * (places.low + places.high);
+  const double radius = 0.5 * places.diagonal() + reach;
   scale_ = 1.0 / radius;
   chosen_.clear();
   looked_around_ = 0;
@@ -33,10 +38,11 @@ void NearbyPicks::gather(const FieldData& data, const Vector3& centre, double ra
   findSides(data, viewpoints);
 }
 
-/// The picks with a plane in the ball, and perhaps some on its very edge outside.
+double NearbyPicks::reachAt(const Vector3& v) const { return reach_ + (v - box_.low).cwiseMin(box_.high - v).minCoeff(); }
+
+/// The picks with a plane in the box grown by the reach, and perhaps some on its very edge outside.
 void NearbyPicks::collect(const FieldData& data) {
-  constexpr float limit = 1.0F + 1e-5F; // more than the rounding
-  data.grid.runsAround(centre_, radius_, runs_);
+  data.grid.runsAround(box_, reach_, runs_);
   std::size_t most = 0;
   for (const PointRun& run : runs_)
     most += run.count;
@@ -44,6 +50,7 @@ void NearbyPicks::collect(const FieldData& data) {
     values->resize(std::max(most, values->size()));
   index_.resize(std::max(most, index_.size()));
   const double cx = centre_.x(), cy = centre_.y(), cz = centre_.z(), scale = scale_;
+  const Eigen::Vector3f limit = ((0.5 * box_.size().array() + reach_) * scale + 1e-5).matrix().cast<float>(); // by more than the rounding
   const Vector3* normals = data.planes.normals.data();
   float *x = near_x_.data(), *y = near_y_.data(), *z = near_z_.data();
   Index* indices = index_.data();
@@ -60,7 +67,7 @@ void NearbyPicks::collect(const FieldData& data) {
       y[count] = dy;
       z[count] = dz;
       indices[count] = index;
-      count += (dx * dx + dy * dy + dz * dz <= limit) & (normal_x == normal_x) ? 1 : 0;
+      count += (std::abs(dx) <= limit.x()) & (std::abs(dy) <= limit.y()) & (std::abs(dz) <= limit.z()) & (normal_x == normal_x) ? 1 : 0;
     }
   count_ = count;
   points_ = data.grid.points().data();
@@ -70,10 +77,9 @@ void NearbyPicks::collect(const FieldData& data) {
 void NearbyPicks::findSides(const FieldData& data, const Bounds& viewpoints) {
   groups_.clear();
   faults_ = LocalFaults();
-  const double reach = radius_ * (1.0 + 1e-4);
-  Bounds box = viewpoints;
-  box.extend(centre_ - Vector3::Constant(reach));
-  box.extend(centre_ + Vector3::Constant(reach));
+  Bounds box = grown(box_, reach_ + 1e-4 / scale_);
+  box.extend(viewpoints.low);
+  box.extend(viewpoints.high);
   if (data.faults.mayTouch(box)) {
     box = viewpoints;
     for (std::size_t i = 0; i < count_; ++i)

@@ -18,24 +18,26 @@ struct FieldData {
   const FaultBorders& borders;
 };
 
-/// The picks with a plane in a ball, for many nearest-neighbour questions about places in it.
+/// The picks with a plane around a box, for many nearest-neighbour questions about places in it.
 class NearbyPicks {
 public:
   void clear() { state_ = State::Untried; }
   bool untried() const { return state_ == State::Untried; }
   /// False also if there were too many to look through for each question.
   bool gathered() const { return state_ == State::Gathered; }
-  double radius() const { return radius_; }
+  /// How far from a place in the box all picks are among those gathered; the reach or more.
+  double reachAt(const Vector3& v) const;
   const LocalFaults& faults() const { return faults_; }
 
+  /// \param[in] reach how far from each place all picks are to be found
   /// \param[in] viewpoints where places may be looked at from
-  void gather(const FieldData& data, const Vector3& centre, double radius, const Bounds& viewpoints);
+  void gather(const FieldData& data, const Bounds& places, double reach, const Bounds& viewpoints);
 
-  /// The nearest picks to v that no fault hides from the viewpoint, at most \a wanted, within \a reach, nearest first (see NeighborGrid); the ball of
-  /// that radius about v must lie in the one gathered.
+  /// The nearest picks to v that no fault hides from the viewpoint, at most \a wanted, within \a reach, nearest first (see NeighborGrid); no more than
+  /// reachAt(v).
   void nearest(const Vector3& v, const Vector3& viewpoint, std::size_t wanted, double reach, std::vector<Neighbor>& out);
 
-  /// Looks around several places of the ball at once, at most NearestBatch::kPlaces of them.
+  /// Looks around several places of the box at once, at most NearestBatch::kPlaces of them.
   /// \param[in] places kept by reference
   void lookAround(const Vector3* places, const Vector3* viewpoints, std::size_t count);
   /// What nearest() gives for one of those places. \return false if that must be asked for
@@ -63,9 +65,10 @@ private:
   }
 
   State state_ = State::Untried;
-  Vector3 centre_ = Vector3::Zero();
-  double radius_ = 0.0;
-  double scale_ = 0.0; ///< what takes the radius to 1
+  Bounds box_;
+  double reach_ = 0.0;
+  Vector3 centre_ = Vector3::Zero(); ///< of the box
+  double scale_ = 0.0;               ///< takes coordinates from the centre of all that matters to -1 to 1
   LocalFaults faults_;
   std::vector<PointRun> runs_;
   const Vector3* points_ = nullptr;
@@ -84,14 +87,12 @@ private:
   std::array<std::array<float, NearestBatch::kKept>, NearestBatch::kPlaces> found_{};
 };
 
-/// What lies around places in a ball.
+/// What lies around places in a box.
 struct FieldNeighborhood {
   Bounds places;
-  Vector3 centre = Vector3::Zero();
-  double extent = -1.0; ///< radius of the ball about the places
-  NearbyPicks near;     ///< as far as mostly needed
-  NearbyPicks far;      ///< as far as may ever be needed
-  LocalFaults faults;   ///< around places asked about one by one
+  NearbyPicks near;   ///< as far as mostly needed
+  NearbyPicks far;    ///< as far as may ever be needed
+  LocalFaults faults; ///< around places asked about one by one
 };
 
 } // namespace graben

@@ -1,5 +1,7 @@
 #include "local_faults.h"
 
+#include "box_around.h"
+
 #include "graben/faults/fault_signature.h"
 #include "graben/mesh/adjacency.h"
 
@@ -20,8 +22,6 @@ struct Polygon {
   std::size_t count = 0;
   void add(const Vector3& p) { corner[count++] = p; }
 };
-
-bool contains(const Bounds& box, const Vector3& p) { return (p.array() >= box.low.array()).all() && (p.array() <= box.high.array()).all(); }
 
 void clip(Polygon& polygon, const Bounds& box) {
   if (std::all_of(polygon.corner.begin(), polygon.corner.begin() + 3, [&box](const Vector3& p) { return contains(box, p); }))

@@ -53,15 +53,13 @@ FieldData SignedDistance::data() const { return {grid_, planes_, faults_, *borde
 void SignedDistance::focus(const Bounds& places, Scratch& scratch) const {
   FieldNeighborhood& around = *scratch.around;
   around.places = places;
-  around.centre = 0.5 * (places.low + places.high);
-  around.extent = 0.5 * places.diagonal() * (1.0 + 1e-9);
-  around.near.gather(data(), around.centre, around.extent + usual_reach_, grown(places, kViewpoint * options_.voxel_size));
+  around.near.gather(data(), places, usual_reach_, grown(places, kViewpoint * options_.voxel_size));
   around.far.clear();
 }
 
-/// How far from a place all picks are among those gathered, as far as they matter.
+/// How far from a place in focus all picks are among those gathered, as far as they matter.
 double SignedDistance::sureReach(const Vector3& v, const FieldNeighborhood& around) const {
-  return std::min(around.near.radius() - (v - around.centre).norm(), query_radius_);
+  return std::min(around.near.reachAt(v), query_radius_);
 }
 
 /// Whether picks found within a reach are all that a value takes.
@@ -71,13 +69,13 @@ bool SignedDistance::enough(const std::vector<Neighbor>& visible, double reach) 
 
 void SignedDistance::gatherFar(FieldNeighborhood& around) const {
   if (around.far.untried())
-    around.far.gather(data(), around.centre, around.extent + query_radius_, grown(around.places, kViewpoint * options_.voxel_size));
+    around.far.gather(data(), around.places, query_radius_, grown(around.places, kViewpoint * options_.voxel_size));
 }
 
 /// \return false if there may be nearer ones than those found
 bool SignedDistance::findVisibleNearby(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const {
   FieldNeighborhood& around = *scratch.around;
-  if ((v - around.centre).norm() > around.extent)
+  if (!contains(around.places, v))
     return false;
   const std::size_t wanted = options_.blend + 1;
   if (around.near.gathered()) {
