@@ -41,7 +41,9 @@ std::size_t neighborsFor(const Sampling& sampling, double delta, double mean_dis
 
 constexpr double kMeasurementReach = 2.0; // rho + delta: farther than this from all picks a measurement is not of this horizon
 
-constexpr std::size_t kBytesPerPick = 150; // until the normals are known: point, order, neighbours, plane; measured with a million picks
+// Measured with a million picks, and with a million vertices on a tenth of them.
+constexpr std::size_t kBytesPerPick = 150; // until the normals are known: point, order, neighbours, plane
+constexpr double kSurfaceGrowth = 1.1;     // memory that the surface takes at most on its way to the written mesh, over what its extraction counts on
 
 std::string shortNumber(double value) {
   char text[32];
@@ -92,7 +94,7 @@ void ReconstructionJob::checkMemory(std::size_t picks) {
     throw ResourceError("memory", std::to_string(picks) + " picks need about " + shortNumber(1e-9 * static_cast<double>(needed)) + " GB, but the limit is " +
                                     shortNumber(1e-9 * static_cast<double>(options_.memory_limit)) + " GB, which does for " +
                                     std::to_string(options_.memory_limit / (2 * kBytesPerPick)) + " picks; thin them out or raise the limit");
-  surface_memory_ = options_.memory_limit - needed;
+  surface_memory_ = static_cast<std::size_t>(static_cast<double>(options_.memory_limit - needed) / kSurfaceGrowth);
 }
 
 void ReconstructionJob::toLocalFrame(Points picks, const std::vector<DipMeasurement>& dips) {

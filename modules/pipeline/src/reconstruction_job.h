@@ -66,7 +66,7 @@ private:
   std::vector<PickReason> reasons_;              ///< of each of them
   std::vector<std::pair<Index, Vector3>> aside_; ///< those set aside
   double mean_distance_ = 0.0;
-  std::size_t surface_memory_ = 0; ///< what the limit leaves for the surface; 0: no limit
+  std::size_t surface_memory_ = 0; ///< what the limit leaves for the extraction; 0: no limit
   NeighborGrid grid_;
   FaultNetwork faults_;
   FaultNetwork no_faults_;

@@ -55,7 +55,7 @@ void checkVoxelSize(const NeighborGrid& grid, const Lattice& lattice, double rea
   const double h = lattice.voxel_size;
   const double far = farthest(grid.points(), lattice.origin, threads);
   const double least = far / kLatticeLimit;
-  // The surface goes on from the picks by the reach: what it takes at most, and then at least, in cells of that size.
+  // The surface goes on from the picks by the reach: what it takes at most, and then as a rule, in cells of that size.
   Lattice coarse = lattice;
   coarse.voxel_size = std::max({reach, h, 4.0 * least});
   const double each = std::pow(coarse.voxel_size / h, 2.0) * kBytesOfBlock / 16.0;
@@ -66,7 +66,7 @@ void checkVoxelSize(const NeighborGrid& grid, const Lattice& lattice, double rea
     double cells = 0.0;
     for (const KeyedMask& entry : occupiedCells(grid.order(), [&](Index p) { return points[static_cast<std::size_t>(p)]; }, coarse, threads))
       cells += block::count(entry.mask);
-    excess = 0.4 * cells * each / limit;
+    excess = cells * each / limit;
   }
   if (excess > 1.0 || least > h)
     refuseVoxelSize(h, excess, least);
