@@ -2,6 +2,7 @@
 
 #include "binary_columns.h"
 #include "line_reader.h"
+#include "lzf.h"
 #include "numbers.h"
 #include "table_reader.h"
 
@@ -12,7 +13,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <pcl/io/lzf.h>
 
 namespace graben {
 namespace {
@@ -224,7 +224,7 @@ void readCompressed(std::string_view body, const PcdHeader& header, const PickFi
   if (*header.points != sizes[1] / header.point_size || sizes[1] % header.point_size != 0)
     throw ParseError(path, 0, "the compressed block does not hold the points the header promises");
   std::vector<char> block(sizes[1]);
-  if (sizes[1] > 0 && pcl::lzfDecompress(body.data(), sizes[0], block.data(), sizes[1]) != sizes[1])
+  if (sizes[1] > 0 && !unpackLzf(body.substr(0, sizes[0]), block.data(), sizes[1]))
     throw ParseError(path, 0, "the compressed block is damaged");
   file.content.release(body);
   std::vector<BinaryColumn> columns;
