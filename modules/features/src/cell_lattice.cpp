@@ -67,13 +67,15 @@ Summary summarise(const Points& points, unsigned threads) {
 Bounds trimmedBounds(const Points& sample) {
   Bounds box;
   std::vector<double> values(sample.size());
-  const std::size_t cut = sample.size() / 50;
+  const auto cut = static_cast<std::ptrdiff_t>(sample.size() / 50);
   for (int axis = 0; axis < 3; ++axis) {
     std::transform(sample.begin(), sample.end(), values.begin(),
                    [axis](const Vector3& p) { return p[axis]; });
-    std::sort(values.begin(), values.end());
-    box.low[axis] = values[cut];
-    box.high[axis] = values[values.size() - 1 - cut];
+    const auto low = values.begin() + cut, high = values.end() - 1 - cut;
+    std::nth_element(values.begin(), low, values.end());
+    box.low[axis] = *low;
+    std::nth_element(low, high, values.end());
+    box.high[axis] = *high;
   }
   return box;
 }

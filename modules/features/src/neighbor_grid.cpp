@@ -261,7 +261,7 @@ NeighborGrid NeighborGrid::withoutThoseTakenOut(unsigned threads) const {
   auto data = std::make_shared<NeighborGridData>();
   if (inOrder()) {
     *data = *data_;
-    data->findOrder();
+    data->findOrder(threads);
   } else {
     data->lattice = data_->lattice;
     data->build(*points_, threads);

@@ -4,6 +4,8 @@
 #include "radix_sort.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 namespace graben::detail {
 namespace {
@@ -35,29 +37,52 @@ void fillOffsets(Block& block, const std::uint64_t* keys, const CellLattice& lat
 std::vector<std::uint64_t> fineKeys(const Points& points, const CellLattice& lattice, unsigned threads) {
   constexpr std::uint64_t NONE = ~std::uint64_t(0); // a key has 63 bits
   std::vector<std::uint64_t> keys(points.size());
-  parallelFor(points.size(), GRAIN, threads,
-              [&](std::size_t i) { keys[i] = points[i].allFinite() ? lattice.fineKey(points[i]) : NONE; });
-  std::uint64_t last = 0;
-  for (std::uint64_t& key : keys)
-    last = key = key == NONE ? last : key;
+  parallelBlocks(points.size(), GRAIN, threads, [&](std::size_t begin, std::size_t end) {
+    std::uint64_t last = NONE;
+    for (std::size_t i = begin; i < end; ++i)
+      last = keys[i] = points[i].allFinite() ? lattice.fineKey(points[i]) : last;
+  });
+  for (std::size_t begin = 0; begin < keys.size(); begin += GRAIN)
+    for (std::size_t i = begin; i < keys.size() && keys[i] == NONE; ++i)
+      keys[i] = i == 0 ? 0 : keys[i - 1];
   return keys;
 }
 
+std::vector<Index> finitePoints(const Vector3* points, std::size_t count, unsigned threads) {
+  std::vector<std::size_t> first((count + GRAIN - 1) / GRAIN + 1, 0);
+  parallelBlocks(count, GRAIN, threads, [&](std::size_t begin, std::size_t end) {
+    first[begin / GRAIN + 1] =
+        static_cast<std::size_t>(std::count_if(points + begin, points + end, [](const Vector3& p) { return p.allFinite(); }));
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Index> finite(first.back());
+  parallelBlocks(count, GRAIN, threads, [&](std::size_t begin, std::size_t end) {
+    std::size_t at = first[begin / GRAIN];
+    for (std::size_t i = begin; i < end; ++i)
+      if (points[i].allFinite())
+        finite[at++] = static_cast<Index>(i);
+  });
+  return finite;
+}
+
 std::vector<Index> sortByKey(const Points& points, std::vector<std::uint64_t>& keys, unsigned threads) {
-  std::vector<KeyedIndex> items;
-  items.reserve(points.size());
-  std::uint64_t any = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].allFinite()) {
-      items.push_back({keys[i], static_cast<Index>(i)});
-      any |= keys[i];
+  std::vector<Index> order = finitePoints(points.data(), points.size(), threads);
+  KeyedIndices items(order.size());
+  std::vector<std::uint64_t> any((order.size() + GRAIN - 1) / GRAIN, 0);
+  parallelBlocks(order.size(), GRAIN, threads, [&](std::size_t begin, std::size_t end) {
+    std::uint64_t all = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      items[i] = {keys[static_cast<std::size_t>(order[i])], order[i]};
+      all |= items[i].key;
     }
+    any[begin / GRAIN] = all;
+  });
+  const std::uint64_t all = std::accumulate(any.begin(), any.end(), std::uint64_t(0), std::bit_or<std::uint64_t>());
   unsigned bits = 1;
-  while (bits < 64 && (any >> bits) != 0)
+  while (bits < 64 && (all >> bits) != 0)
     ++bits;
   radixSort(items, bits, threads);
   keys.resize(items.size());
-  std::vector<Index> order(items.size());
   parallelFor(items.size(), GRAIN, threads, [&](std::size_t i) {
     keys[i] = items[i].key;
     order[i] = items[i].index;
@@ -70,7 +95,7 @@ void NeighborGridData::build(const Points& points, unsigned threads) {
   if (areSorted(keys, threads)) {
     ordered.points = points.data();
     ordered.count = points.size();
-    findOrder();
+    findOrder(threads);
   } else {
     order = sortByKey(points, keys, threads);
     ordered.indices = order.data();
@@ -86,26 +111,28 @@ void NeighborGridData::build(const Points& points, unsigned threads) {
   tree.build(ordered, threads);
 }
 
-void NeighborGridData::findOrder() {
-  order.resize(ordered.count);
-  std::size_t finite = 0;
-  for (std::size_t i = 0; i < ordered.count; ++i) {
-    order[finite] = static_cast<Index>(i);
-    finite += ordered.points[i].allFinite() ? 1 : 0;
-  }
-  order.resize(finite);
-}
+void NeighborGridData::findOrder(unsigned threads) { order = finitePoints(ordered.points, ordered.count, threads); }
 
 void NeighborGridData::buildBlocks(const std::vector<std::uint64_t>& keys, unsigned threads) {
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const std::uint64_t key = lattice.blockKey(keys[i]);
-    if (blocks.empty() || blocks.back().key != key) {
-      blocks.emplace_back();
-      blocks.back().key = key;
-      blocks.back().first = static_cast<std::uint32_t>(i);
+  std::vector<std::vector<std::uint32_t>> firsts((keys.size() + GRAIN - 1) / GRAIN);
+  parallelBlocks(keys.size(), GRAIN, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (i == 0 || lattice.blockKey(keys[i]) != lattice.blockKey(keys[i - 1]))
+        firsts[begin / GRAIN].push_back(static_cast<std::uint32_t>(i));
+  });
+  std::size_t count = 0;
+  for (const std::vector<std::uint32_t>& part : firsts)
+    count += part.size();
+  blocks.resize(count);
+  std::size_t end = keys.size();
+  for (auto part = firsts.rbegin(); part != firsts.rend(); ++part)
+    for (auto first = part->rbegin(); first != part->rend(); ++first) {
+      Block& block = blocks[--count];
+      block.key = lattice.blockKey(keys[*first]);
+      block.first = *first;
+      block.count = static_cast<std::uint32_t>(end - *first);
+      end = *first;
     }
-    ++blocks.back().count;
-  }
   parallelFor(blocks.size(), 256, threads, [&](std::size_t b) {
     if (!blocks[b].crowded())
       fillOffsets(blocks[b], keys.data(), lattice);

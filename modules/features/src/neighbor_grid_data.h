@@ -35,7 +35,7 @@ struct NeighborGridData {
   void build(const Points& points, unsigned threads);
 
   /// Sets the order of points that stand in order already: those that are finite.
-  void findOrder();
+  void findOrder(unsigned threads);
 
   const Block* findBlock(std::uint64_t key) const {
     if (blocks.empty())
@@ -58,6 +58,9 @@ private:
 
 /// The key of each point; a point that is not finite has the key of the one before it.
 std::vector<std::uint64_t> fineKeys(const Points& points, const CellLattice& lattice, unsigned threads);
+
+/// The indices of the points that are finite, ascending.
+std::vector<Index> finitePoints(const Vector3* points, std::size_t count, unsigned threads);
 
 /// Sorts the finite points by key, in place; equals by index. Returns their indices.
 std::vector<Index> sortByKey(const Points& points, std::vector<std::uint64_t>& keys, unsigned threads);

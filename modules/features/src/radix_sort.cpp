@@ -35,10 +35,10 @@ bool countsToOffsets(std::vector<Histogram>& counts, std::size_t total) {
 
 } // namespace
 
-void radixSort(std::vector<KeyedIndex>& items, unsigned bits, unsigned threads) {
+void radixSort(KeyedIndices& items, unsigned bits, unsigned threads) {
   const std::size_t grain = std::max<std::size_t>(1 << 16, items.size() / 64 + 1);
   std::vector<Histogram> counts((items.size() + grain - 1) / grain);
-  std::vector<KeyedIndex> other(items.size());
+  KeyedIndices other(items.size());
   for (unsigned shift = 0; shift < bits; shift += DIGIT_BITS) {
     parallelBlocks(items.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
       Histogram& histogram = counts[begin / grain];

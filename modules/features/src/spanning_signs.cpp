@@ -112,7 +112,7 @@ std::uint64_t sortKey(const NeighborGraph& graph, const Edge& edge) {
 
 /// The edges between the most parallel normals first; equals in the order given.
 std::vector<Edge> sortedByWeight(const NeighborGraph& graph, const std::vector<Edge>& edges, unsigned threads) {
-  std::vector<KeyedIndex> items(edges.size());
+  KeyedIndices items(edges.size());
   parallelFor(edges.size(), BLOCK, threads, [&](std::size_t e) { items[e] = {sortKey(graph, edges[e]), static_cast<Index>(e)}; });
   radixSort(items, 32, threads);
   std::vector<Edge> sorted(edges.size());
@@ -122,7 +122,7 @@ std::vector<Edge> sortedByWeight(const NeighborGraph& graph, const std::vector<E
 
 /// Keeps, of the edges within a block, those of its minimum spanning trees.
 std::vector<Edge> treeEdges(const NeighborGraph& graph, const std::vector<Edge>& edges, std::size_t begin, std::size_t end) {
-  std::vector<KeyedIndex> items;
+  KeyedIndices items;
   std::vector<char> keep(edges.size(), 1);
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (isWithin(edges[e].to, begin, end)) {

@@ -175,7 +175,8 @@ Points flatBox(std::size_t count) {
 TEST(Orientation, GroupsOfPicksAreTurnedAsTheirEdgesSay) {
   OrientationOptions options;
   options.rho_plus_delta = 45.0;
-  for (const Points& points : {inOrder(test::sphere(30000, 500.0, Vector3(40.0, 7.0, 0.0))), inOrder(test::sphere(200, 30.0, Vector3::Zero())), inOrder(flatBox(30000))}) {
+  const Points large = test::sphere(30000, 500.0, Vector3(40.0, 7.0, 0.0)), small = test::sphere(200, 30.0, Vector3::Zero());
+  for (const Points& points : {inOrder(large), inOrder(small), inOrder(flatBox(30000))}) {
     ASSERT_TRUE(NeighborGrid(points).inOrder());
     expectSameWithoutComponents(points, planesOf(NeighborGrid(points), {}, options.rho_plus_delta), options);
   }
