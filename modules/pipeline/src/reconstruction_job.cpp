@@ -57,7 +57,7 @@ ReconstructionJob::ReconstructionJob(const ReconstructionOptions& options, Recon
   : options_(options), result_(result), clock_(result.report.stages, options.progress) {}
 
 void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faults, const std::vector<DipMeasurement>& dips) {
-  checkMemory(picks.size() + dips.size());
+  checkMemory(picks, dips.size());
   begin("neighbours");
   toLocalFrame(std::move(picks), dips);
   prepareParameters();
@@ -86,15 +86,24 @@ void ReconstructionJob::begin(const std::string& stage) {
   clock_.start(stage);
 }
 
-void ReconstructionJob::checkMemory(std::size_t picks) {
-  if (options_.memory_limit == 0)
+/// What the process has taken for other things counts against the limit too.
+void ReconstructionJob::checkMemory(const Points& picks, std::size_t dips) {
+  const std::size_t limit = options_.memory_limit;
+  if (limit == 0)
     return;
-  const std::size_t needed = kBytesPerPick * picks;
-  if (needed >= options_.memory_limit)
-    throw ResourceError("memory", std::to_string(picks) + " picks need about " + shortNumber(1e-9 * static_cast<double>(needed)) + " GB, but the limit is " +
-                                    shortNumber(1e-9 * static_cast<double>(options_.memory_limit)) + " GB, which does for " +
-                                    std::to_string(options_.memory_limit / (2 * kBytesPerPick)) + " picks; thin them out or raise the limit");
-  surface_memory_ = static_cast<std::size_t>(static_cast<double>(options_.memory_limit - needed) / kSurfaceGrowth);
+  const std::size_t resident = residentMemory();
+  const std::size_t taken = resident - std::min(resident, picks.capacity() * sizeof(Vector3));
+  const std::size_t left = limit - std::min(limit, taken);
+  const std::size_t needed = kBytesPerPick * (picks.size() + dips);
+  if (needed >= left) {
+    const auto inGigabytes = [](std::size_t bytes) { return shortNumber(1e-9 * static_cast<double>(bytes)) + " GB"; };
+    const std::size_t enough_for = left / (2 * kBytesPerPick);
+    throw ResourceError("memory", std::to_string(picks.size() + dips) + " picks need about " + inGigabytes(needed) + ", but of the limit of " +
+                                    inGigabytes(limit) + " only " + inGigabytes(left) + " are left" +
+                                    (enough_for == 0 ? std::string("; raise the limit")
+                                                     : ", which do for " + std::to_string(enough_for) + " picks; thin them out or raise the limit"));
+  }
+  surface_memory_ = static_cast<std::size_t>(static_cast<double>(left - needed) / kSurfaceGrowth);
 }
 
 void ReconstructionJob::toLocalFrame(Points picks, const std::vector<DipMeasurement>& dips) {

@@ -32,7 +32,7 @@ private:
   void toLocalFrame(Points picks, const std::vector<DipMeasurement>& dips);
   void prepareParameters();
   void checkMeasurements();
-  void checkMemory(std::size_t picks);
+  void checkMemory(const Points& picks, std::size_t dips);
   void buildFaults(const std::vector<FaultGeometry>& faults);
   void setWrongSidePicksAside();
   void estimateNormals();

@@ -106,8 +106,8 @@ TEST_F(ReconstructWrongUse, TooSmallAVoxelIsAnErrorNotAHang) {
 }
 
 TEST_F(ReconstructWrongUse, TooLittleMemoryIsSaidBeforeTheWorkStarts) {
-  expectError("--horizon picks.xyz --output top.ply --memory-limit 1e-5", 1, {"400 picks need", "limit", "thin them out"});
-  expectError("--horizon picks.xyz --output top.ply --voxel-size 0.01 --memory-limit 0.01", 1, {"voxel size of"});
+  expectError("--horizon picks.xyz --output top.ply --memory-limit 1e-5", 1, {"400 picks need", "raise the limit"});
+  expectError("--horizon picks.xyz --output top.ply --voxel-size 0.01 --memory-limit 0.1", 1, {"voxel size of"});
   EXPECT_EQ(run("reconstruct", "--horizon picks.xyz --output top.ply --memory-limit 0 --quiet").code, 0);
 }
 

@@ -1,5 +1,8 @@
 #include "unit/pipeline/small_model.h"
 
+#include "graben/core/errors.h"
+#include "graben/core/memory.h"
+
 #include <gtest/gtest.h>
 
 namespace graben {
@@ -22,6 +25,16 @@ TEST(Parameters, PlanesAreFittedToMorePicksWhereTheNoiseIsLarge) {
   EXPECT_LE(noisy.report.used.neighbors, 60U);
   options.neighbors = 15;
   EXPECT_EQ(reconstruct(0.5, options).report.used.neighbors, 15U);
+}
+
+TEST(Parameters, WhatTheProcessHasTakenCountsAgainstTheMemoryLimit) {
+  ReconstructionOptions options;
+  options.fit = FitMode::Off;
+  constexpr std::size_t megabyte = 1'000'000;
+  options.memory_limit = residentMemory() + megabyte / 10;
+  EXPECT_THROW(reconstruct(0.05, options), ResourceError);
+  options.memory_limit = residentMemory() + 100 * megabyte;
+  EXPECT_FALSE(reconstruct(0.05, options).mesh.empty());
 }
 
 } // namespace

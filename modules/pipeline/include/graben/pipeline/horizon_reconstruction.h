@@ -37,7 +37,7 @@ struct ReconstructionOptions {
   OrientationMethod orientation = OrientationMethod::SpanningTree;
   double z_scale = 1.0;      ///< z is multiplied by this for all distance work (time in ms against metres)
   ZPositive z_positive = ZPositive::Unknown; ///< which way the picks' z grows; Unknown counts as up
-  std::size_t memory_limit = 0; ///< bytes that picks and surface may take, by estimate; 0: no limit
+  std::size_t memory_limit = 0; ///< bytes that the process may take in all, by estimate; 0: no limit
   unsigned threads = 0;      ///< 0: one per processor
   SkippedSteps skip;         ///< for comparisons
   bool keep_picks = true;    ///< false: ReconstructionResult says nothing of single picks, which saves memory
