@@ -4,6 +4,8 @@
 #include "graben/core/threads.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -55,26 +57,31 @@ void checkLength(std::size_t length, std::size_t vertices, const std::string& st
 
 } // namespace
 
-void removeUnreferencedVertices(TriangleMesh& mesh) {
-  std::vector<Index> target(mesh.vertices.size(), -1);
-  for (const Triangle& triangle : mesh.triangles)
-    for (const Index v : triangle)
-      target[static_cast<std::size_t>(v)] = 0;
-  Index kept = 0;
-  for (Index& place : target)
-    if (place == 0)
-      place = kept++;
-  const auto count = static_cast<std::size_t>(kept);
+std::vector<Index> removeUnreferencedVertices(TriangleMesh& mesh, unsigned threads) {
+  constexpr std::size_t grain = 1 << 14;
+  std::vector<std::atomic<std::uint8_t>> used(mesh.vertices.size());
+  parallelFor(mesh.triangles.size(), grain, threads, [&](std::size_t t) {
+    for (const Index v : mesh.triangles[t])
+      used[static_cast<std::size_t>(v)].store(1, std::memory_order_relaxed);
+  });
+  const auto count = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
   if (count == mesh.vertices.size())
-    return;
+    return {};
+  std::vector<Index> target(mesh.vertices.size(), -1);
+  Index kept = 0;
+  for (std::size_t v = 0; v < target.size(); ++v)
+    if (used[v] != 0)
+      target[v] = kept++;
   compact(mesh.vertices, target, count);
   compact(mesh.normals, target, count);
   compact(mesh.piece, target, count);
   for (auto& scalar : mesh.scalars)
     compact(scalar.second, target, count);
-  for (Triangle& triangle : mesh.triangles)
-    for (Index& v : triangle)
+  parallelFor(mesh.triangles.size(), grain, threads, [&](std::size_t t) {
+    for (Index& v : mesh.triangles[t])
       v = target[static_cast<std::size_t>(v)];
+  });
+  return target;
 }
 
 void append(TriangleMesh& mesh, const TriangleMesh& other) {

@@ -13,7 +13,7 @@ namespace graben {
 
 std::size_t removeCrumbs(CutMesh& cut, std::size_t least) {
   const Components components = connectedComponents(cut.mesh);
-  if (components.triangle_count.empty() || components.triangle_count.front() < least)
+  if (components.triangle_count.empty() || components.triangle_count.front() < least || components.triangle_count.back() >= least)
     return 0;
   std::vector<Triangle>& triangles = cut.mesh.triangles;
   std::size_t kept = 0;
@@ -89,7 +89,7 @@ void removeTriangles(CutMesh& cut, const std::vector<Index>& triangles, unsigned
   state.out = std::move(cut);
   openCuts(state, threads);
   cut = std::move(state.out);
-  removeUnreferencedVertices(cut);
+  removeUnreferencedVertices(cut, threads);
 }
 
 } // namespace graben

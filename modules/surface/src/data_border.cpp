@@ -34,6 +34,18 @@ std::vector<std::uint8_t> borderVertices(const TriangleMesh& mesh) {
   return border;
 }
 
+/// Leaves out the entries at the given places, which are in rising order.
+template <typename T>
+void erase(std::vector<T>& values, const std::vector<std::size_t>& places) {
+  if (places.empty())
+    return;
+  const auto at = [&values](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
+  auto kept = at(places.front());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    kept = std::move(at(places[i] + 1), i + 1 < places.size() ? at(places[i + 1]) : values.end(), kept);
+  values.erase(kept, values.end());
+}
+
 class DataBorder {
 public:
   DataBorder(SheetMesh& sheets, const SignedDistance& field, const DataBorderOptions& options)
@@ -41,26 +53,23 @@ public:
 
   void trim() {
     findBelt();
+    findTriangles();
     measure();
     std::vector<Triangle> pieces;
     std::vector<Index> homes;
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const Triangle triangle = mesh_.triangles[t];
-      const Index home = sheets_.home[t];
-      if (keeps(triangle[0]) && keeps(triangle[1]) && keeps(triangle[2])) {
-        mesh_.triangles[kept] = triangle;
-        sheets_.home[kept++] = home;
-      } else {
-        keepPart(triangle, pieces);
-        homes.resize(pieces.size(), home);
-      }
+    std::vector<std::size_t> dropped;
+    for (const std::size_t t : near_) {
+      const Triangle& triangle = mesh_.triangles[t];
+      if (keeps(triangle[0]) && keeps(triangle[1]) && keeps(triangle[2]))
+        continue;
+      dropped.push_back(t);
+      keepPart(triangle, pieces);
+      homes.resize(pieces.size(), sheets_.home[t]);
     }
-    mesh_.triangles.resize(kept);
-    sheets_.home.resize(kept);
+    erase(mesh_.triangles, dropped);
+    erase(sheets_.home, dropped);
     mesh_.triangles.insert(mesh_.triangles.end(), pieces.begin(), pieces.end());
     sheets_.home.insert(sheets_.home.end(), homes.begin(), homes.end());
-    removeUnreferencedVertices(mesh_);
   }
 
 private:
@@ -76,7 +85,7 @@ private:
   /// Vertices within a few rings of the border.
   void findBelt() {
     std::vector<std::uint8_t> in_belt = borderVertices(mesh_);
-    growRings(mesh_.triangles, kRings, in_belt);
+    growRings(mesh_.triangles, kRings, options_.threads, in_belt);
     belt_place_.assign(in_belt.size(), -1);
     for (std::size_t v = 0; v < in_belt.size(); ++v)
       if (in_belt[v] != 0) {
@@ -85,10 +94,23 @@ private:
       }
   }
 
+  /// Triangles with a corner in the belt.
+  void findTriangles() {
+    constexpr std::size_t grain = 1 << 14;
+    std::vector<std::vector<std::size_t>> parts((mesh_.triangles.size() + grain - 1) / grain);
+    parallelBlocks(mesh_.triangles.size(), grain, options_.threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t)
+        if (std::any_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(), [this](Index v) { return belt_place_[static_cast<std::size_t>(v)] >= 0; }))
+          parts[begin / grain].push_back(t);
+    });
+    for (const std::vector<std::size_t>& part : parts)
+      near_.insert(near_.end(), part.begin(), part.end());
+  }
+
   void measure() {
     Points normals(belt_.size(), Vector3::Zero());
     std::vector<Index> home(belt_.size(), -1);
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (const std::size_t t : near_)
       for (const Index v : mesh_.triangles[t]) {
         const Index place = belt_place_[static_cast<std::size_t>(v)];
         if (place < 0)
@@ -149,6 +171,7 @@ private:
   const DataBorderOptions& options_;
   std::vector<Index> belt_;       ///< vertices near the border
   std::vector<Index> belt_place_; ///< of each vertex in belt_, -1 if it is not there
+  std::vector<std::size_t> near_; ///< triangles with a corner there
   std::vector<double> beyond_;    ///< distance beyond the data of each vertex in belt_, 0 inside
   std::unordered_map<std::uint64_t, Index> crossings_;
 };

@@ -75,17 +75,14 @@ CutState cutAll(TriangleMesh mesh, const FaultNetwork& faults, const FaultCutOpt
 
 } // namespace
 
-void removeUnreferencedVertices(CutMesh& cut) {
-  std::vector<std::uint8_t> used(cut.mesh.vertices.size(), 0);
-  for (const Triangle& t : cut.mesh.triangles)
-    for (const Index v : t)
-      used[static_cast<std::size_t>(v)] = 1;
-  std::size_t kept = 0;
-  for (std::size_t v = 0; v < used.size(); ++v)
-    if (used[v] != 0)
-      cut.vertex_faults[kept++] = cut.vertex_faults[v];
-  cut.vertex_faults.resize(kept);
-  removeUnreferencedVertices(cut.mesh);
+void removeUnreferencedVertices(CutMesh& cut, unsigned threads) {
+  const std::vector<Index> target = removeUnreferencedVertices(cut.mesh, threads);
+  if (target.empty())
+    return;
+  for (std::size_t v = 0; v < target.size(); ++v)
+    if (target[v] >= 0)
+      cut.vertex_faults[static_cast<std::size_t>(target[v])] = cut.vertex_faults[v];
+  cut.vertex_faults.resize(cut.mesh.vertices.size());
 }
 
 CutMesh cutAlongFaults(const TriangleMesh& mesh, const FaultNetwork& faults, const FaultCutOptions& options) {
@@ -98,7 +95,7 @@ CutMesh cutSheets(SheetMesh sheets, const FaultNetwork& faults, const FaultCutOp
   CutState state = cutAll(std::move(sheets.mesh), faults, options, std::move(sheets.home));
   trim(state, sheets.homes, faults, options.threads);
   openCuts(state, options.threads);
-  removeUnreferencedVertices(state.out);
+  removeUnreferencedVertices(state.out, options.threads);
   return std::move(state.out);
 }
 

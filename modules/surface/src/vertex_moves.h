@@ -11,8 +11,8 @@ namespace graben {
 /// A place put back on the faults a vertex lies on; off all faults it stays. At a branch line the two projections are repeated until they agree.
 Vector3 ontoFaults(const FaultNetwork& faults, const std::array<Index, 2>& on, Vector3 place);
 
-/// Adds the vertices within a number of rings of triangles to those marked in \a in.
-void growRings(const std::vector<Triangle>& triangles, int rings, std::vector<std::uint8_t>& in);
+/// Adds the vertices within a number of rings of triangles to those marked with 1 in \a in; the others have 0.
+void growRings(const std::vector<Triangle>& triangles, int rings, unsigned threads, std::vector<std::uint8_t>& in);
 
 /// Moves the vertices of a mesh with normals to new places so that none gets through a fault.
 ///

@@ -41,6 +41,7 @@ struct Wave {
     SheetMesh mesh = extractSheets(field, extraction);
     if (trimmed > 0.0)
       trimToData(mesh, field, {trimmed, 0});
+    removeUnreferencedVertices(mesh.mesh);
     return mesh;
   }
 

@@ -23,7 +23,9 @@ struct TriangleMesh {
 };
 
 /// Drops vertices no triangle uses; keeps the order of the rest, and all per-vertex arrays.
-void removeUnreferencedVertices(TriangleMesh& mesh);
+/// \param[in] threads 0: one per processor
+/// \return for each vertex its new place, -1 for those dropped; empty if all stay where they are
+std::vector<Index> removeUnreferencedVertices(TriangleMesh& mesh, unsigned threads = 1);
 
 /// Appends \a other; per-vertex arrays are kept where both meshes have them (or the target is
 /// empty), piece labels as they are.

@@ -21,6 +21,7 @@ struct CutMesh {
 };
 
 /// Drops vertices no triangle uses, together with their faults.
-void removeUnreferencedVertices(CutMesh& cut);
+/// \param[in] threads 0: one per processor
+void removeUnreferencedVertices(CutMesh& cut, unsigned threads = 1);
 
 } // namespace graben

@@ -14,7 +14,8 @@ struct DataBorderOptions {
 ///
 /// Every place with picks all round, or enclosed by picks and faults (see SignedDistanceOptions::fault_reach), stays.
 /// Triangles are split where the distance passes the limit. Only triangles within a few rings of the mesh's border are looked
-/// at; O(triangles) to find them. Deterministic for any number of threads.
+/// at; O(triangles) to find them. Vertices that no triangle uses any more are left in the mesh: cutSheets() drops them.
+/// Deterministic for any number of threads.
 void trimToData(SheetMesh& sheets, const SignedDistance& field, const DataBorderOptions& options);
 
 } // namespace graben
