@@ -247,28 +247,25 @@ bool nearestInCells(const NeighborGridData& data, const Vector3& query, std::siz
 
 NeighborGrid::NeighborGrid()
     : points_(&NO_POINTS)
+    , order_(std::make_shared<std::vector<Index>>())
     , data_(std::make_shared<NeighborGridData>()) {}
 
 NeighborGrid::NeighborGrid(const Points& points, double cell_size, unsigned threads)
+    : NeighborGrid(points, detail::chooseLattice(points, cell_size, threads), threads) {}
+
+NeighborGrid::NeighborGrid(const Points& points, const detail::CellLattice& lattice, unsigned threads)
     : points_(&points) {
   auto data = std::make_shared<NeighborGridData>();
-  data->lattice = detail::chooseLattice(points, cell_size, threads);
-  data->build(points, threads);
+  data->lattice = lattice;
+  order_ = std::make_shared<std::vector<Index>>(data->build(points, threads));
   data_ = std::move(data);
 }
 
 NeighborGrid NeighborGrid::withoutThoseTakenOut(unsigned threads) const {
-  auto data = std::make_shared<NeighborGridData>();
-  if (inOrder()) {
-    *data = *data_;
-    data->findOrder(threads);
-  } else {
-    data->lattice = data_->lattice;
-    data->build(*points_, threads);
-  }
-  NeighborGrid grid;
-  grid.points_ = points_;
-  grid.data_ = std::move(data);
+  if (!inOrder())
+    return NeighborGrid(*points_, data_->lattice, threads);
+  NeighborGrid grid = *this;
+  grid.order_ = std::make_shared<std::vector<Index>>(detail::finitePoints(points_->data(), points_->size(), threads));
   return grid;
 }
 
@@ -277,7 +274,7 @@ double NeighborGrid::cellSize() const {
 }
 
 const std::vector<Index>& NeighborGrid::order() const {
-  return data_->order;
+  return *order_;
 }
 
 bool NeighborGrid::inOrder() const {

@@ -90,12 +90,13 @@ std::vector<Index> sortByKey(const Points& points, std::vector<std::uint64_t>& k
   return order;
 }
 
-void NeighborGridData::build(const Points& points, unsigned threads) {
+std::vector<Index> NeighborGridData::build(const Points& points, unsigned threads) {
+  std::vector<Index> order;
   std::vector<std::uint64_t> keys = fineKeys(points, lattice, threads);
   if (areSorted(keys, threads)) {
     ordered.points = points.data();
     ordered.count = points.size();
-    findOrder(threads);
+    order = finitePoints(ordered.points, ordered.count, threads);
   } else {
     order = sortByKey(points, keys, threads);
     ordered.indices = order.data();
@@ -105,13 +106,12 @@ void NeighborGridData::build(const Points& points, unsigned threads) {
     ordered.count = ordered.copy.size();
   }
   if (order.empty())
-    return;
+    return order;
   buildBlocks(keys, threads);
   buildTable();
   tree.build(ordered, threads);
+  return order;
 }
-
-void NeighborGridData::findOrder(unsigned threads) { order = finitePoints(ordered.points, ordered.count, threads); }
 
 void NeighborGridData::buildBlocks(const std::vector<std::uint64_t>& keys, unsigned threads) {
   std::vector<std::vector<std::uint32_t>> firsts((keys.size() + GRAIN - 1) / GRAIN);

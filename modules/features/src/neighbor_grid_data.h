@@ -23,19 +23,16 @@ struct Block {
 
 struct NeighborGridData {
   CellLattice lattice;
-  std::vector<Index> order; ///< indices of the finite points in the order of their cells
-  OrderedPoints ordered;    ///< with points that are not finite among them where the caller's are in order
+  OrderedPoints ordered; ///< with points that are not finite among them where the caller's are in order
   std::vector<Block> blocks;
   std::vector<std::int32_t>
       table; ///< open-addressing hash: block key -> position in blocks, -1 where free
   unsigned table_shift = 63;
   PointTree tree;
 
-  /// The lattice is set before.
-  void build(const Points& points, unsigned threads);
-
-  /// Sets the order of points that stand in order already: those that are finite.
-  void findOrder(unsigned threads);
+  /// The lattice is set before. \return indices of the finite points in the order of their cells; they must live on where the points are not in
+  /// order themselves, as ordered refers to them
+  std::vector<Index> build(const Points& points, unsigned threads);
 
   const Block* findBlock(std::uint64_t key) const {
     if (blocks.empty())

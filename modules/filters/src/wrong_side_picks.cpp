@@ -20,7 +20,7 @@ using detail::PlaneAt;
 using detail::SheetBeyond;
 using detail::Viewpoint;
 
-constexpr std::size_t GRAIN = 64;
+constexpr std::size_t GRAIN = 64, FEW = 4; ///< picks a thread judges, suspects it explains, before it takes more
 constexpr double BAND = 4.0, BIN = 0.5, TOLERANCE = 0.1; // mean distances
 constexpr double DEVIATIONS = 4.0;                       ///< of noise that a good pick may be off
 constexpr double SUSPECT_DEVIATIONS = 2.5;               ///< of noise that make a pick suspect that noise may have carried through a fault
@@ -220,7 +220,7 @@ private:
         suspects.push_back(i);
     std::vector<Verdict> found(suspects.size());
     parallelBlocks(
-        suspects.size(), GRAIN, options_.threads, [&](std::size_t begin, std::size_t end) {
+        suspects.size(), FEW, options_.threads, [&](std::size_t begin, std::size_t end) {
           PickSupport support(field_);
           for (std::size_t i = begin; i < end; ++i)
             found[i] = verdict(suspects[i], support);

@@ -36,6 +36,7 @@ struct PointsAround {
 };
 
 namespace detail {
+struct CellLattice;
 struct NeighborGridData;
 }
 
@@ -104,7 +105,10 @@ public:
   const std::vector<Index>& order() const;
 
 private:
+  NeighborGrid(const Points& points, const detail::CellLattice& lattice, unsigned threads);
+
   const Points* points_;
+  std::shared_ptr<const std::vector<Index>> order_; ///< apart from the rest, which grids share when some of their points are taken out
   std::shared_ptr<const detail::NeighborGridData> data_;
 };
 
