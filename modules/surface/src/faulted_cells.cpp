@@ -120,12 +120,12 @@ void FaultedCells::findCrossings(const std::vector<LatticeIndex>& cells) {
 std::size_t FaultedCells::makeBlock(const LatticeIndex& at) {
   if (last_made_ < blocks_.size() && blocks_[last_made_].at == at)
     return last_made_;
-  const auto [entry, added] = block_.try_emplace(latticeKey(at), blocks_.size());
-  if (added) {
+  last_made_ = static_cast<std::size_t>(block_.add(latticeKey(at), static_cast<Index>(blocks_.size())));
+  if (last_made_ == blocks_.size()) {
     blocks_.emplace_back();
     blocks_.back().at = at;
   }
-  return last_made_ = entry->second;
+  return last_made_;
 }
 
 void FaultedCells::want(const LatticeIndex& low, std::size_t axis) {
@@ -172,8 +172,8 @@ void FaultedCells::findWanted() {
 
 /// Whether some edge of a cell is crossed, of those looked at.
 bool FaultedCells::isCrossed(const LatticeIndex& cell) const {
-  const auto found = block_.find(latticeKey(block::blockOf(cell)));
-  return found != block_.end() && (blocks_[found->second].cells & block::bit(block::slotOf(cell))) != 0;
+  const Index found = block_.find(latticeKey(block::blockOf(cell)));
+  return found >= 0 && (blocks_[static_cast<std::size_t>(found)].cells & block::bit(block::slotOf(cell))) != 0;
 }
 
 std::array<std::uint64_t, 12> FaultedCells::crossings(const LatticeIndex& cell) const {
@@ -186,8 +186,8 @@ std::array<std::uint64_t, 12> FaultedCells::crossings(const LatticeIndex& cell) 
 }
 
 /// Only for cells with a crossed edge, all of whose edges have been looked at.
-const FaultedCells::Division& FaultedCells::divisionOf(const LatticeIndex& cell) const {
-  const auto [entry, added] = division_.try_emplace(latticeKey(cell));
+const FaultedCells::Division& FaultedCells::divisionOf(const LatticeIndex& cell, Divisions& known) const {
+  const auto [entry, added] = known.try_emplace(latticeKey(cell));
   if (added) {
     entry->second.crossed = crossings(cell);
     entry->second.groups = cornerGroups(entry->second.crossed);
@@ -196,14 +196,14 @@ const FaultedCells::Division& FaultedCells::divisionOf(const LatticeIndex& cell)
 }
 
 /// True if what lies between the two sides ends in a cell around the vertex: some edge there is crossed and yet its ends are joined round the end.
-bool FaultedCells::nearTip(const LatticeIndex& vertex, std::uint64_t signature) const {
+bool FaultedCells::nearTip(const LatticeIndex& vertex, std::uint64_t signature, Divisions& known) const {
   for (const LatticeIndex& corner : cube::kCorner) {
     if (!isCrossed(vertex - corner)) {
       if (signature == 0)
         return true;
       continue;
     }
-    const auto& [crossed, groups] = divisionOf(vertex - corner);
+    const auto& [crossed, groups] = divisionOf(vertex - corner, known);
     for (std::size_t e = 0; e < 12; ++e)
       if (crossed[e] == signature &&
           groups[static_cast<std::size_t>(cube::kEdge[e][0])] == groups[static_cast<std::size_t>(cube::kEdge[e][1])])
@@ -212,11 +212,27 @@ bool FaultedCells::nearTip(const LatticeIndex& vertex, std::uint64_t signature) 
   return false;
 }
 
-std::vector<CellCopy> FaultedCells::copies(const LatticeIndex& cell) {
+std::vector<std::vector<CellCopy>> FaultedCells::copies(const std::vector<LatticeIndex>& cells) {
+  std::vector<std::vector<CellCopy>> result(cells.size());
+  parallelBlocks(cells.size(), 256, threads_, [&](std::size_t begin, std::size_t end) {
+    Divisions known;
+    for (std::size_t i = begin; i < end; ++i)
+      result[i] = copiesOf(cells[i], known);
+  });
+  for (std::vector<CellCopy>& of_cell : result)
+    for (CellCopy& copy : of_cell)
+      for (std::size_t c = 0; c < 8; ++c)
+        if (copy.ghost[c] >= 0)
+          copy.ghost[c] = ghostOf(copy.corner[c], copy.seen_from[c]);
+  return result;
+}
+
+/// With ghosts not numbered yet, all 0.
+std::vector<CellCopy> FaultedCells::copiesOf(const LatticeIndex& cell, Divisions& known) const {
   std::vector<CellCopy> result;
   if (!isCrossed(cell))
     return result;
-  const auto& [crossed, groups] = divisionOf(cell);
+  const auto& [crossed, groups] = divisionOf(cell, known);
   if (std::all_of(groups.begin(), groups.end(), [](int g) { return g == 0; }))
     return result;
   for (int group = 0; group < 8; ++group) {
@@ -231,14 +247,17 @@ std::vector<CellCopy> FaultedCells::copies(const LatticeIndex& cell) {
       if (member)
         copy.home.push_back(lattice_.position(vertex));
       copy.corner[c] = vertex;
-      copy.ghost[c] = member || nearTip(vertex, between[c]) ? -1 : ghostOf(vertex, own);
+      if (member || nearTip(vertex, between[c], known))
+        copy.ghost[c] = -1;
+      else
+        copy.seen_from[c] = seedOf(vertex, own, known);
     }
     result.push_back(std::move(copy));
   }
   return result;
 }
 
-LatticeIndex FaultedCells::seedOf(const LatticeIndex& ghost, const LatticeIndex& own) const {
+LatticeIndex FaultedCells::seedOf(const LatticeIndex& ghost, const LatticeIndex& own, Divisions& known) const {
   VertexSets sets(ghost);
   std::uint64_t only = 0;
   bool several_faults = false;
@@ -246,7 +265,7 @@ LatticeIndex FaultedCells::seedOf(const LatticeIndex& ghost, const LatticeIndex&
     const LatticeIndex cell = ghost - cube::kCorner[c];
     if (!isCrossed(cell))
       continue;
-    const auto& [crossed, groups] = divisionOf(cell);
+    const auto& [crossed, groups] = divisionOf(cell, known);
     for (const std::uint64_t signature : crossed) {
       several_faults = several_faults || (signature != 0 && only != 0 && signature != only);
       only = signature != 0 ? signature : only;
@@ -258,8 +277,7 @@ LatticeIndex FaultedCells::seedOf(const LatticeIndex& ghost, const LatticeIndex&
   return several_faults ? sets.first(own) : sets.first();
 }
 
-Index FaultedCells::ghostOf(const LatticeIndex& vertex, const LatticeIndex& own) {
-  const LatticeIndex seed = seedOf(vertex, own);
+Index FaultedCells::ghostOf(const LatticeIndex& vertex, const LatticeIndex& seed) {
   const auto [entry, added] = ghost_.try_emplace(GhostKey{latticeKey(vertex), latticeKey(seed)}, static_cast<Index>(ghosts_.size()));
   if (added)
     ghosts_.push_back({vertex, seed});

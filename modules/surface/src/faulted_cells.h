@@ -18,6 +18,7 @@ struct GhostVertex {
 struct CellCopy {
   std::array<LatticeIndex, 8> corner;
   std::array<Index, 8> ghost{}; ///< ghost of the corner, or -1 for the lattice vertex itself
+  std::array<LatticeIndex, 8> seen_from{}; ///< of each ghost, see GhostVertex
   Points home;                  ///< the corners on this side
 };
 
@@ -30,8 +31,8 @@ public:
   /// To be called for all cells that a fault may touch before copies() is.
   void findCrossings(const std::vector<LatticeIndex>& cells);
 
-  /// The copies of a cell; none where no fault divides it.
-  std::vector<CellCopy> copies(const LatticeIndex& cell);
+  /// The copies of each cell; none where no fault divides it.
+  std::vector<std::vector<CellCopy>> copies(const std::vector<LatticeIndex>& cells);
 
   const std::vector<GhostVertex>& ghosts() const { return ghosts_; }
 
@@ -52,6 +53,8 @@ private:
     std::array<int, 8> groups{};
   };
 
+  using Divisions = std::unordered_map<std::uint64_t, Division>; ///< of cells with a crossed edge that were asked about
+
   /// A block of the lattice with edges that were looked at, by their low ends.
   struct EdgeBlock {
     LatticeIndex at;
@@ -66,21 +69,21 @@ private:
   void findWanted();
   bool isCrossed(const LatticeIndex& cell) const;
   std::array<std::uint64_t, 12> crossings(const LatticeIndex& cell) const;
-  const Division& divisionOf(const LatticeIndex& cell) const;
-  bool nearTip(const LatticeIndex& vertex, std::uint64_t signature) const;
-  LatticeIndex seedOf(const LatticeIndex& ghost, const LatticeIndex& own) const;
-  Index ghostOf(const LatticeIndex& vertex, const LatticeIndex& own);
+  std::vector<CellCopy> copiesOf(const LatticeIndex& cell, Divisions& known) const;
+  const Division& divisionOf(const LatticeIndex& cell, Divisions& known) const;
+  bool nearTip(const LatticeIndex& vertex, std::uint64_t signature, Divisions& known) const;
+  LatticeIndex seedOf(const LatticeIndex& ghost, const LatticeIndex& own, Divisions& known) const;
+  Index ghostOf(const LatticeIndex& vertex, const LatticeIndex& seed);
 
   const FaultNetwork& faults_;
   const Lattice& lattice_;
   unsigned threads_;
   std::vector<GhostVertex> ghosts_;
   std::vector<EdgeBlock> blocks_;
-  std::unordered_map<std::uint64_t, std::size_t> block_; ///< by key
+  BlockTable block_;
   std::size_t last_made_ = 0;                            ///< block asked for last, which is mostly the next one too
   std::vector<std::size_t> wanted_;                      ///< blocks with edges to be looked at
   std::unordered_map<EdgeKey, std::uint64_t> crossing_;  ///< crossed lattice edge -> signature of what crosses it
-  mutable std::unordered_map<std::uint64_t, Division> division_; ///< of cells with a crossed edge that were asked about
   std::unordered_map<GhostKey, Index, GhostHash> ghost_;
 };
 

@@ -2,37 +2,49 @@
 
 #include "graben/core/threads.h"
 
+#include <utility>
+
 namespace graben {
 
-std::size_t LatticeBlocks::slotFor(std::uint64_t key) const {
-  std::size_t slot = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> table_shift_);
-  while (table_[slot] >= 0 && latticeKey((*this)[static_cast<std::size_t>(table_[slot])].at) != key)
-    slot = (slot + 1) & (table_.size() - 1);
+std::size_t BlockTable::slotFor(std::uint64_t key) const {
+  std::size_t slot = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> shift_);
+  while (entries_[slot].number >= 0 && entries_[slot].key != key)
+    slot = (slot + 1) & (entries_.size() - 1);
   return slot;
 }
 
-Index LatticeBlocks::find(const LatticeIndex& at) const { return table_.empty() ? -1 : table_[slotFor(latticeKey(at))]; }
+void BlockTable::grow() {
+  const std::vector<Entry> before = std::exchange(entries_, std::vector<Entry>(std::size_t(1) << (64 - --shift_)));
+  for (const Entry& entry : before)
+    if (entry.number >= 0)
+      entries_[slotFor(entry.key)] = entry;
+}
 
-void LatticeBlocks::grow() {
-  table_.assign(std::size_t(1) << (64 - --table_shift_), -1);
-  for (std::size_t b = 0; b < size_; ++b)
-    table_[slotFor(latticeKey((*this)[b].at))] = static_cast<Index>(b);
+Index BlockTable::add(std::uint64_t key, Index next) {
+  if (2 * used_ >= entries_.size())
+    grow();
+  Entry& entry = entries_[slotFor(key)];
+  if (entry.number < 0) {
+    entry = {key, next};
+    ++used_;
+  }
+  return entry.number;
 }
 
 Index LatticeBlocks::make(const LatticeIndex& at) {
-  if (2 * size_ >= table_.size())
-    grow();
-  Index& entry = table_[slotFor(latticeKey(at))];
-  if (entry < 0) {
-    if (size_ % kChunk == 0)
+  const auto next = static_cast<Index>(size_);
+  const Index b = table_.add(latticeKey(at), next);
+  if (b == next) {
+    if (size_ % kChunk == 0) {
       chunks_.emplace_back(new LatticeBlock[kChunk]);
-    entry = static_cast<Index>(size_);
+      values_.emplace_back(new LatticeValues[kChunk]);
+    }
     LatticeBlock& made = (*this)[size_++];
     made.at = at;
     made.forward.fill(-1);
-    made.forward[0] = entry;
+    made.forward[0] = b;
   }
-  return entry;
+  return b;
 }
 
 Index LatticeBlocks::makeForward(std::size_t b, std::size_t f) {
@@ -44,6 +56,13 @@ Index LatticeBlocks::makeForward(std::size_t b, std::size_t f) {
     (*this)[b].forward[f] = next;
   }
   return next;
+}
+
+void LatticeBlocks::findForward(std::size_t b, const std::array<BlockMask, block::kForward>& vertices) {
+  LatticeBlock& of = (*this)[b];
+  for (std::size_t f = 1; f < block::kForward; ++f)
+    if (vertices[f] != 0 && of.forward[f] < 0)
+      of.forward[f] = find(of.at + block::forward(f));
 }
 
 void LatticeBlocks::link(unsigned threads) {

@@ -87,6 +87,33 @@ inline std::array<BlockMask, kForward> cornersOf(BlockMask cells) {
 
 } // namespace block
 
+/// Numbers of blocks by their keys (see latticeKey()): an open-addressing hash.
+class BlockTable {
+public:
+  /// The number of a block, -1 if there is none.
+  Index find(std::uint64_t key) const { return entries_.empty() ? -1 : entries_[slotFor(key)].number; }
+  /// The number of a block, which is \a next if it had none.
+  Index add(std::uint64_t key, Index next);
+
+private:
+  struct Entry {
+    std::uint64_t key = 0;
+    Index number = -1;
+  };
+  std::size_t slotFor(std::uint64_t key) const;
+  void grow();
+
+  std::vector<Entry> entries_;
+  std::size_t used_ = 0;
+  unsigned shift_ = 54; ///< 2 to the power of 64 less this entries, once there are any
+};
+
+/// The field at the lattice vertices of a block that it was asked for.
+struct LatticeValues {
+  std::array<double, block::kSlots> value; ///< field less the iso level
+  std::array<Index, block::kSlots> plane;  ///< see FieldValue
+};
+
 /// A block of the lattice: its cells, and the lattice vertices at their low corners.
 struct LatticeBlock {
   LatticeIndex at;                 ///< the block is the lattice's 4 at.i to 4 at.i + 3 and so on
@@ -97,8 +124,6 @@ struct LatticeBlock {
   BlockMask asked = 0;             ///< vertices the field was asked for
   BlockMask defined = 0;           ///< and is defined at
   BlockMask inside = 0;            ///< and is less than the iso level at
-  std::array<double, block::kSlots> value; ///< field less the iso level
-  std::array<Index, block::kSlots> plane;  ///< see FieldValue
 
   LatticeIndex vertex(int slot) const { return block::vertexOf(at, slot); }
 };
@@ -110,24 +135,27 @@ public:
   LatticeBlock& operator[](std::size_t b) { return chunks_[b / kChunk][b % kChunk]; }
   const LatticeBlock& operator[](std::size_t b) const { return chunks_[b / kChunk][b % kChunk]; }
 
+  LatticeValues& values(std::size_t b) { return values_[b / kChunk][b % kChunk]; }
+  const LatticeValues& values(std::size_t b) const { return values_[b / kChunk][b % kChunk]; }
+
   /// The block at a block index, -1 if there is none.
-  Index find(const LatticeIndex& at) const;
+  Index find(const LatticeIndex& at) const { return table_.find(latticeKey(at)); }
   /// The same, made if it is not there yet.
   Index make(const LatticeIndex& at);
   /// The forward block, made if it is not there yet.
   Index makeForward(std::size_t b, std::size_t f);
+  /// Looks up the forward blocks that have any of some vertices, so that makeForward() need not; for different blocks at once.
+  void findForward(std::size_t b, const std::array<BlockMask, block::kForward>& vertices);
   /// Fills in the blocks beside each block, however they were made.
   void link(unsigned threads);
 
 private:
   static constexpr std::size_t kChunk = 256;
-  void grow();
-  std::size_t slotFor(std::uint64_t key) const;
 
   std::vector<std::unique_ptr<LatticeBlock[]>> chunks_; ///< never moved, so that none is held twice
+  std::vector<std::unique_ptr<LatticeValues[]>> values_; ///< apart, so that whoever makes a block does not touch them
   std::size_t size_ = 0;
-  std::vector<Index> table_; ///< open-addressing hash by the block's key
-  unsigned table_shift_ = 54; ///< the table has 2 to the power of 64 less this entries, once it has any
+  BlockTable table_;
 };
 
 /// A set of cells or vertices per block, for the blocks that have any: what is to be looked at next.

@@ -19,7 +19,7 @@ struct KeyedMask {
 void joinEqual(std::vector<KeyedMask>& entries);
 
 /// What the extraction takes for a block of the lattice, its part of the mesh included, on an ordinary surface.
-constexpr std::size_t kBytesOfBlock = sizeof(LatticeBlock) + 2500;
+constexpr std::size_t kBytesOfBlock = sizeof(LatticeBlock) + sizeof(LatticeValues) + 2500;
 
 /// \param[in] excess memory needed over memory there is \param[in] least a voxel size that the index range asks for
 [[noreturn]] void refuseVoxelSize(double voxel_size, double excess, double least);

@@ -88,8 +88,13 @@ void SheetCells::addLevel() {
     for (BlockMask rest = frontier_.of(b) & ~whole_.of(b); rest != 0; rest &= rest - 1)
       faulted.push_back(blocks_[static_cast<std::size_t>(b)].vertex(block::lowest(rest)));
   faulted_.findCrossings(faulted);
-  for (const LatticeIndex& cell : faulted)
-    addCopies(cell, copies);
+  std::vector<std::vector<CellCopy>> made = faulted_.copies(faulted);
+  for (std::size_t i = 0; i < faulted.size(); ++i)
+    addCopies(faulted[i], std::move(made[i]), copies);
+  parallelFor(whole_.blocks.size(), 64, options_.threads, [&](std::size_t i) {
+    const Index b = whole_.blocks[i];
+    blocks_.findForward(static_cast<std::size_t>(b), block::cornersOf(whole_.of(b)));
+  });
   for (const Index b : whole_.blocks) {
     const auto corners = block::cornersOf(whole_.of(b));
     for (std::size_t f = 0; f < block::kForward; ++f)
@@ -126,8 +131,7 @@ void SheetCells::findFaulted() {
     whole_.add(frontier_.blocks[i], untouched[i]);
 }
 
-void SheetCells::addCopies(const LatticeIndex& cell, std::vector<SheetCell>& copies) {
-  std::vector<CellCopy> made = faulted_.copies(cell);
+void SheetCells::addCopies(const LatticeIndex& cell, std::vector<CellCopy> made, std::vector<SheetCell>& copies) {
   if (made.empty())
     whole_.add(blocks_.find(block::blockOf(cell)), block::bit(block::slotOf(cell)));
   for (CellCopy& copy : made) {
@@ -154,7 +158,9 @@ void SheetCells::evaluate() {
     Points places;
     std::vector<FieldValue> values;
     for (std::size_t i = begin; i < end; ++i) {
-      LatticeBlock& of = blocks_[static_cast<std::size_t>(wanted_.blocks[i])];
+      const auto b = static_cast<std::size_t>(wanted_.blocks[i]);
+      LatticeBlock& of = blocks_[b];
+      LatticeValues& known = blocks_.values(b);
       const BlockMask wanted = wanted_.of(wanted_.blocks[i]) & ~of.asked;
       if (wanted == 0)
         continue;
@@ -166,8 +172,8 @@ void SheetCells::evaluate() {
       for (BlockMask rest = wanted; rest != 0; rest &= rest - 1, ++found) {
         const int slot = block::lowest(rest);
         const double value = found->value - options_.iso_level;
-        of.value[static_cast<std::size_t>(slot)] = value;
-        of.plane[static_cast<std::size_t>(slot)] = found->plane;
+        known.value[static_cast<std::size_t>(slot)] = value;
+        known.plane[static_cast<std::size_t>(slot)] = found->plane;
         of.defined |= found->defined() ? block::bit(slot) : 0;
         of.inside |= value < 0.0 ? block::bit(slot) : 0;
       }

@@ -27,10 +27,10 @@ public:
 
   /// The field at a node less the iso level.
   double value(Index node) const {
-    return node < 0 ? ghost_values_[static_cast<std::size_t>(-1 - node)].value : blockOf(node).value[slotOf(node)];
+    return node < 0 ? ghost_values_[static_cast<std::size_t>(-1 - node)].value : valuesOf(node).value[slotOf(node)];
   }
   Index plane(Index node) const {
-    return node < 0 ? ghost_values_[static_cast<std::size_t>(-1 - node)].plane : blockOf(node).plane[slotOf(node)];
+    return node < 0 ? ghost_values_[static_cast<std::size_t>(-1 - node)].plane : valuesOf(node).plane[slotOf(node)];
   }
   LatticeIndex place(Index node) const {
     return node < 0 ? ghosts()[static_cast<std::size_t>(-1 - node)].at : blockOf(node).vertex(static_cast<int>(slotOf(node)));
@@ -39,11 +39,12 @@ public:
 private:
   static std::size_t slotOf(Index node) { return static_cast<std::size_t>(node) % block::kSlots; }
   const LatticeBlock& blockOf(Index node) const { return blocks_[static_cast<std::size_t>(node) / block::kSlots]; }
+  const LatticeValues& valuesOf(Index node) const { return blocks_.values(static_cast<std::size_t>(node) / block::kSlots); }
 
   void seed();
   void addLevel();
   void findFaulted();
-  void addCopies(const LatticeIndex& cell, std::vector<SheetCell>& copies);
+  void addCopies(const LatticeIndex& cell, std::vector<CellCopy> made, std::vector<SheetCell>& copies);
   void evaluate();
   void evaluateGhosts();
   void keepCrossed(const std::vector<SheetCell>& copies);
