@@ -1,6 +1,7 @@
 #include "graben/analysis/cutoff_lines.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/threads.h"
 
 #include <Eigen/Geometry>
 
@@ -27,21 +28,34 @@ int sideOf(const TriangleMesh& mesh, std::size_t t, std::size_t e, Index fault, 
 
 using FaultSide = std::pair<Index, int>;
 
-/// Border edges on each side of each fault; at a vertex where two borders touch the later edge is left to a line of its own.
-std::map<FaultSide, BorderEdges> edgesByFault(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults,
-                                              const EdgeAdjacency& adjacency, const FaultNetwork* faults) {
+/// A border edge along one side of a fault.
+struct EdgeOnFault {
+  FaultSide where;
+  Index from;
+  Index to;
+};
+
+/// The border edges of triangle \a t that lie on a fault.
+void listEdges(const TriangleMesh& mesh, std::size_t t, const std::vector<std::array<Index, 2>>& vertex_faults, const FaultNetwork* faults,
+               const EdgeAdjacency& adjacency, std::vector<EdgeOnFault>& found) {
+  for (std::size_t e = 0; e < 3; ++e) {
+    if (!adjacency.isBorder(static_cast<Index>(3 * t + e)))
+      continue;
+    const Index a = mesh.triangles[t][e];
+    const Index b = mesh.triangles[t][(e + 1) % 3];
+    const auto& on_a = vertex_faults[static_cast<std::size_t>(a)];
+    for (const Index fault : on_a)
+      if (fault >= 0 && lieOn(on_a, vertex_faults[static_cast<std::size_t>(b)], fault))
+        found.push_back({{fault, faults == nullptr ? 0 : sideOf(mesh, t, e, fault, *faults)}, a, b});
+  }
+}
+
+/// Sorts edges, in their order, by the sides of faults; at a vertex where two borders touch the later edge is left to a line of its own.
+std::map<FaultSide, BorderEdges> edgesByFault(const std::vector<std::vector<EdgeOnFault>>& blocks) {
   std::map<FaultSide, BorderEdges> edges;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::size_t e = 0; e < 3; ++e) {
-      if (!adjacency.isBorder(static_cast<Index>(3 * t + e)))
-        continue;
-      const Index a = mesh.triangles[t][e];
-      const Index b = mesh.triangles[t][(e + 1) % 3];
-      const auto& on_a = vertex_faults[static_cast<std::size_t>(a)];
-      for (const Index fault : on_a)
-        if (fault >= 0 && lieOn(on_a, vertex_faults[static_cast<std::size_t>(b)], fault))
-          edges[{fault, faults == nullptr ? 0 : sideOf(mesh, t, e, fault, *faults)}].emplace(a, std::make_pair(b, false));
-    }
+  for (const std::vector<EdgeOnFault>& block : blocks)
+    for (const EdgeOnFault& edge : block)
+      edges[edge.where].emplace(edge.from, std::make_pair(edge.to, false));
   return edges;
 }
 
@@ -65,11 +79,15 @@ std::vector<CutoffLine> cutoffLines(const TriangleMesh& mesh, const std::vector<
 }
 
 std::vector<CutoffLine> cutoffLines(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults, const EdgeAdjacency& adjacency,
-                                    const FaultNetwork* faults) {
+                                    const FaultNetwork* faults, unsigned threads) {
   if (vertex_faults.size() != mesh.vertices.size())
     throw InvalidInputError("cutoff lines", "there must be one entry of faults per vertex");
+  constexpr std::size_t kGrain = 1 << 12;
+  std::vector<std::vector<EdgeOnFault>> blocks((mesh.triangles.size() + kGrain - 1) / kGrain);
+  parallelFor(mesh.triangles.size(), kGrain, threads,
+              [&](std::size_t t) { listEdges(mesh, t, vertex_faults, faults, adjacency, blocks[t / kGrain]); });
   std::vector<CutoffLine> lines;
-  for (auto& [where, edges] : edgesByFault(mesh, vertex_faults, adjacency, faults)) {
+  for (auto& [where, edges] : edgesByFault(blocks)) {
     std::map<Index, bool> has_predecessor;
     for (const auto& edge : edges)
       has_predecessor[edge.second.first] = true;

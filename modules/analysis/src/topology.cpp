@@ -195,7 +195,7 @@ TopologyReport checkTopology(const TriangleMesh& mesh, const MeshConnections& co
   TopologyReport report;
   report.vertices = mesh.vertices.size();
   report.triangles = mesh.triangles.size();
-  const double diagonal = boundsOf(mesh.vertices).diagonal();
+  const double diagonal = boundsOf(mesh.vertices, threads).diagonal();
   report.degenerate_triangles =
     sumOf(mesh.triangles.size(), threads, [&](std::size_t t) -> std::size_t { return isDegenerate(mesh, mesh.triangles[t], diagonal) ? 1 : 0; });
   countEdges(mesh, connections.adjacency, threads, report);

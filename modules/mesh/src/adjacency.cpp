@@ -1,15 +1,14 @@
 #include "graben/mesh/adjacency.h"
 
-#include "group_by_vertex.h"
+#include "graben/core/threads.h"
 
 #include <algorithm>
-#include <cstdint>
 
 namespace graben {
 
 namespace {
 
-/// A half-edge listed at the lower of its two vertices.
+/// A half-edge as its lower vertex sees it.
 struct EdgeEntry {
   Index high;
   Index half_edge;
@@ -31,37 +30,44 @@ bool repeatsVertex(const Triangle& t) {
   return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-/// All half-edges of proper triangles, at their lower vertices.
-detail::ByVertex<EdgeEntry> edgesByVertex(const TriangleMesh& mesh, unsigned threads) {
-  return detail::groupByVertex<EdgeEntry>(mesh, threads, [&mesh](std::size_t t, const auto& put) {
-    const Triangle& triangle = mesh.triangles[t];
-    if (repeatsVertex(triangle))
-      return;
-    for (std::size_t e = 0; e < 3; ++e) {
-      const auto [low, high] = std::minmax(triangle[e], triangle[(e + 1) % 3]);
-      put(low, EdgeEntry{high, static_cast<Index>(3 * t + e)});
-    }
-  });
+/// The half-edges of proper triangles of which \a v is the lower vertex, sorted by edge.
+void listEdges(const TriangleMesh& mesh, VertexCorners::Range corners, Index v, std::vector<EdgeEntry>& edges) {
+  edges.clear();
+  for (const Index c : corners) {
+    const Triangle& t = mesh.triangles[static_cast<std::size_t>(c / 3)];
+    if (repeatsVertex(t))
+      continue;
+    const auto e = static_cast<std::size_t>(c % 3);
+    if (const Index next = t[(e + 1) % 3]; next > v)
+      edges.push_back({next, c});
+    if (const Index previous = t[(e + 2) % 3]; previous > v)
+      edges.push_back({previous, e == 0 ? c + 2 : c - 1});
+  }
+  std::sort(edges.begin(), edges.end());
 }
 
 } // namespace
 
 EdgeAdjacency::EdgeAdjacency(const TriangleMesh& mesh, unsigned threads)
+    : EdgeAdjacency(mesh, VertexCorners(mesh, threads), threads) {}
+
+EdgeAdjacency::EdgeAdjacency(const TriangleMesh& mesh, const VertexCorners& corners, unsigned threads)
     : twin_(3 * mesh.triangles.size(), kNonManifold) {
-  auto [first, entries] = edgesByVertex(mesh, threads);
-  parallelFor(mesh.vertices.size(), 4096, threads, [&, &first = first, &entries = entries](std::size_t v) {
-    const std::uint32_t end = first[v + 1];
-    std::sort(entries.begin() + first[v], entries.begin() + end);
-    for (std::uint32_t i = first[v], j = i; i < end; i = j) {
-      while (j < end && entries[j].high == entries[i].high)
-        ++j;
-      const Index h = entries[i].half_edge;
-      if (j - i == 1) {
-        twin_[static_cast<std::size_t>(h)] = kBorder;
-      } else if (j - i == 2 && startOf(mesh, h) != startOf(mesh, entries[i + 1].half_edge)) {
-        const Index other = entries[i + 1].half_edge;
-        twin_[static_cast<std::size_t>(h)] = other;
-        twin_[static_cast<std::size_t>(other)] = h;
+  parallelBlocks(mesh.vertices.size(), 4096, threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<EdgeEntry> edges;
+    for (std::size_t v = begin; v < end; ++v) {
+      listEdges(mesh, corners.of(v), static_cast<Index>(v), edges);
+      for (std::size_t i = 0, j = 0; i < edges.size(); i = j) {
+        while (j < edges.size() && edges[j].high == edges[i].high)
+          ++j;
+        const Index h = edges[i].half_edge;
+        if (j - i == 1) {
+          twin_[static_cast<std::size_t>(h)] = kBorder;
+        } else if (j - i == 2 && startOf(mesh, h) != startOf(mesh, edges[i + 1].half_edge)) {
+          const Index other = edges[i + 1].half_edge;
+          twin_[static_cast<std::size_t>(h)] = other;
+          twin_[static_cast<std::size_t>(other)] = h;
+        }
       }
     }
   });

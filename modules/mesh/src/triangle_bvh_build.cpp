@@ -326,7 +326,7 @@ private:
 } // namespace detail
 
 TriangleBvh::TriangleBvh(const TriangleMesh& mesh, unsigned threads) {
-  validate(mesh, "triangle hierarchy");
+  validate(mesh, "triangle hierarchy", threads);
   if (mesh.triangles.empty())
     return;
   vertices_ = mesh.vertices;

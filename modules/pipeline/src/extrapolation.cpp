@@ -64,40 +64,74 @@ double area(const TriangleMesh& mesh, const Triangle& t) {
   return 0.5 * (mesh.vertices[static_cast<std::size_t>(t[1])] - a).cross(mesh.vertices[static_cast<std::size_t>(t[2])] - a).norm();
 }
 
+constexpr std::size_t kRun = 256;
+
+/// Of a run of vertices.
+struct RunFigures {
+  std::size_t vertices = 0; ///< extrapolated
+  double farthest = 0.0;
+};
+
+/// Of a run of triangles.
+struct RunAreas {
+  double whole = 0.0;
+  double beyond = 0.0; ///< of it extrapolated
+};
+
+/// The share of the area that is extrapolated.
+double areaShare(const TriangleMesh& mesh, const std::vector<float>& extrapolated, unsigned threads) {
+  constexpr std::size_t kGrain = 1 << 13;
+  std::vector<RunAreas> runs((mesh.triangles.size() + kGrain - 1) / kGrain);
+  parallelBlocks(mesh.triangles.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
+    RunAreas run;
+    for (std::size_t t = begin; t < end; ++t) {
+      const double size = area(mesh, mesh.triangles[t]);
+      run.whole += size;
+      for (const Index v : mesh.triangles[t])
+        run.beyond += size / 3.0 * extrapolated[static_cast<std::size_t>(v)];
+    }
+    runs[begin / kGrain] = run;
+  });
+  RunAreas all;
+  for (const RunAreas& run : runs) {
+    all.whole += run.whole;
+    all.beyond += run.beyond;
+  }
+  return all.whole > 0.0 ? all.beyond / all.whole : 0.0;
+}
+
 } // namespace
 
-Extrapolation markExtrapolation(CutMesh& cut, const NeighborGrid& picks, const FaultNetwork& faults, const ExtrapolationOptions& options) {
+Extrapolation markExtrapolation(CutMesh& cut, const VertexCorners& corners, const NeighborGrid& picks, const FaultNetwork& faults,
+                                const ExtrapolationOptions& options) {
   TriangleMesh& mesh = cut.mesh;
-  const Viewpoints from(cut, VertexCorners(mesh, options.threads));
+  const Viewpoints from(cut, corners);
   std::vector<float>& distance = mesh.scalars["pick_distance"];
   std::vector<float>& extrapolated = mesh.scalars["extrapolated"];
   distance.resize(mesh.vertices.size());
   extrapolated.resize(mesh.vertices.size());
-  constexpr std::size_t kRun = 256;
+  std::vector<RunFigures> runs((mesh.vertices.size() + kRun - 1) / kRun);
   parallelBlocks(mesh.vertices.size(), kRun, options.threads, [&](std::size_t begin, std::size_t end) {
-    std::array<double, kRun> run;
-    measure(mesh, from, begin, end, picks, faults, run.data());
+    std::array<double, kRun> values;
+    measure(mesh, from, begin, end, picks, faults, values.data());
+    RunFigures run;
     for (std::size_t v = begin; v < end; ++v) {
-      distance[v] = static_cast<float>(run[v - begin]);
-      extrapolated[v] = run[v - begin] > options.limit ? 1.0F : 0.0F;
+      const bool beyond = values[v - begin] > options.limit;
+      distance[v] = static_cast<float>(values[v - begin]);
+      extrapolated[v] = beyond ? 1.0F : 0.0F;
+      run.vertices += beyond ? 1 : 0;
+      run.farthest = std::max<double>(run.farthest, distance[v]);
     }
+    runs[begin / kRun] = run;
   });
 
   Extrapolation result;
   result.limit = options.limit;
-  for (std::size_t v = 0; v < distance.size(); ++v) {
-    result.vertices += extrapolated[v] > 0.0F ? 1 : 0;
-    result.farthest = std::max<double>(result.farthest, distance[v]);
+  for (const RunFigures& run : runs) {
+    result.vertices += run.vertices;
+    result.farthest = std::max(result.farthest, run.farthest);
   }
-  double whole = 0.0;
-  double beyond = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    const double size = area(mesh, t);
-    whole += size;
-    for (const Index v : t)
-      beyond += size / 3.0 * extrapolated[static_cast<std::size_t>(v)];
-  }
-  result.area_share = whole > 0.0 ? beyond / whole : 0.0;
+  result.area_share = areaShare(mesh, extrapolated, options.threads);
   return result;
 }
 

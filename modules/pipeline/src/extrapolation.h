@@ -13,6 +13,8 @@ struct ExtrapolationOptions {
 
 /// Gives each vertex the scalars pick_distance and extrapolated, see ReconstructionResult::mesh.
 /// Where faults hide the nearest thousand picks from a vertex, it gets the distance of the last of them.
-Extrapolation markExtrapolation(CutMesh& cut, const NeighborGrid& picks, const FaultNetwork& faults, const ExtrapolationOptions& options);
+/// \param[in] corners of the cut mesh
+Extrapolation markExtrapolation(CutMesh& cut, const VertexCorners& corners, const NeighborGrid& picks, const FaultNetwork& faults,
+                                const ExtrapolationOptions& options);
 
 } // namespace graben

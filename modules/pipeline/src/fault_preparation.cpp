@@ -1,6 +1,7 @@
 #include "fault_preparation.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/threads.h"
 #include "graben/faults/extension.h"
 
 #include <algorithm>
@@ -91,11 +92,10 @@ std::vector<FaultSurface> prepareFaults(const std::vector<FaultGeometry>& faults
   return surfaces;
 }
 
-TriangleMesh toUserFrame(TriangleMesh local, const LocalFrame& frame) {
-  for (Vector3& p : local.vertices)
-    p = frame.toUser(p);
-  for (Vector3& n : local.normals)
-    n = frame.normalToUser(n);
+TriangleMesh toUserFrame(TriangleMesh local, const LocalFrame& frame, unsigned threads) {
+  constexpr std::size_t kGrain = 1 << 14;
+  parallelFor(local.vertices.size(), kGrain, threads, [&](std::size_t v) { local.vertices[v] = frame.toUser(local.vertices[v]); });
+  parallelFor(local.normals.size(), kGrain, threads, [&](std::size_t v) { local.normals[v] = frame.normalToUser(local.normals[v]); });
   if (frame.mirrors())
     for (Triangle& t : local.triangles)
       std::swap(t[1], t[2]);

@@ -20,7 +20,7 @@ std::vector<FaultSurface> prepareFaults(const std::vector<FaultGeometry>& faults
 /// A local fault in the user's frame.
 FaultSurface toUserFrame(const FaultSurface& local, const LocalFrame& frame);
 
-/// A local mesh in the user's frame; the winding is turned where the frame mirrors.
-TriangleMesh toUserFrame(TriangleMesh local, const LocalFrame& frame);
+/// A local mesh in the user's frame; the winding is turned where the frame mirrors. \param[in] threads 0: one per processor
+TriangleMesh toUserFrame(TriangleMesh local, const LocalFrame& frame, unsigned threads = 0);
 
 } // namespace graben

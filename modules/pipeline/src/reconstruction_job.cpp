@@ -203,7 +203,7 @@ void ReconstructionJob::orient() {
 
 void ReconstructionJob::readThrowsOff() {
   const LocalFrame& frame = result_.frame;
-  result_.cutoffs = cutoffLines(cut_.mesh, cut_.vertex_faults, connections().adjacency, &faults_);
+  result_.cutoffs = cutoffLines(cut_.mesh, cut_.vertex_faults, connections().adjacency, &faults_, options_.threads);
   result_.throws = readThrows(result_.cutoffs, faults_);
   for (CutoffLine& line : result_.cutoffs)
     for (Vector3& p : line.points)
@@ -244,7 +244,7 @@ void ReconstructionJob::finish() {
   picks_ = OrderedPicks();
   for (std::size_t f = 0; f < faults_.size(); ++f)
     result_.faults.push_back(toUserFrame(faults_.fault(f), result_.frame));
-  result_.mesh = toUserFrame(std::move(cut_.mesh), result_.frame);
+  result_.mesh = toUserFrame(std::move(cut_.mesh), result_.frame, options_.threads);
   result_.vertex_faults = std::move(cut_.vertex_faults);
 }
 
@@ -254,7 +254,7 @@ void ReconstructionJob::measureSurface() {
   ExtrapolationOptions extrapolation;
   extrapolation.limit = rhoPlusDelta();
   extrapolation.threads = options_.threads;
-  result_.report.extrapolation = markExtrapolation(cut_, grid_, faults_, extrapolation);
+  result_.report.extrapolation = markExtrapolation(cut_, connections().corners, grid_, faults_, extrapolation);
   grid_ = NeighborGrid();
   for (const auto& [pick, place] : aside_)
     picks_.points[static_cast<std::size_t>(pick)] = place;

@@ -24,8 +24,8 @@ struct CutoffLine {
 std::vector<CutoffLine> cutoffLines(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults,
                                     const FaultNetwork* faults = nullptr);
 
-/// The same where the mesh's adjacency is at hand.
+/// The same where the mesh's adjacency is at hand. \param[in] threads 0: one per processor
 std::vector<CutoffLine> cutoffLines(const TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& vertex_faults, const EdgeAdjacency& adjacency,
-                                    const FaultNetwork* faults = nullptr);
+                                    const FaultNetwork* faults = nullptr, unsigned threads = 0);
 
 } // namespace graben

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graben/mesh/triangle_mesh.h"
+#include "graben/mesh/vertex_corners.h"
 
 #include <vector>
 
@@ -16,6 +16,9 @@ public:
 
   /// O(n log n) or better; the same for any number of threads (0: one per processor).
   explicit EdgeAdjacency(const TriangleMesh& mesh, unsigned threads = 0);
+
+  /// The same where the mesh's corners are at hand.
+  EdgeAdjacency(const TriangleMesh& mesh, const VertexCorners& corners, unsigned threads = 0);
 
   /// The half-edge on the other side of half-edge 3 t + e, or kBorder, or kNonManifold.
   Index twin(Index half_edge) const { return twin_[static_cast<std::size_t>(half_edge)]; }

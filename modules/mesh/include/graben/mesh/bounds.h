@@ -27,7 +27,7 @@ struct Bounds {
   }
 };
 
-/// The box of the finite points.
-Bounds boundsOf(const Points& points);
+/// The box of the finite points. \param[in] threads 0: one per processor
+Bounds boundsOf(const Points& points, unsigned threads = 0);
 
 } // namespace graben

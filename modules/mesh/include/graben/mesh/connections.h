@@ -14,7 +14,7 @@ struct MeshConnections {
   /// O(n); the same for any number of threads (0: one per processor). The mesh's indices must be valid.
   explicit MeshConnections(const TriangleMesh& mesh, unsigned threads = 0)
       : corners(mesh, threads)
-      , adjacency(mesh, threads) {}
+      , adjacency(mesh, corners, threads) {}
 };
 
 } // namespace graben
