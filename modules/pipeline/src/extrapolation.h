@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/features/neighbor_grid.h"
+#include "graben/mesh/vertex_corners.h"
 #include "graben/pipeline/reconstruction_report.h"
 #include "graben/surface/cut_mesh.h"
 
