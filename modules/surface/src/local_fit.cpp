@@ -21,6 +21,8 @@ constexpr double kNormalLimit = 0.34; // cosine of 70 degrees
 constexpr double kPi = 3.14159265358979;
 constexpr double kMore = 1.2;        // share of picks collected over those wanted
 constexpr std::size_t kExactBelow = 45; // picks wanted up to which the disc is made to hold just these
+constexpr double kAmple = 1.3; // of the radius of a usual support, where many are looked up at once
+constexpr std::size_t kShortRun = 32;
 constexpr double kExactEnough = 1e-3; // of the way to a surface
 constexpr double kBlunder = 7.0;     // residual over the median one, 4.7 standard deviations of Gaussian noise
 constexpr int kBlunderRounds = 3;
@@ -82,8 +84,41 @@ LocalFit::LocalFit(const NeighborGrid& grid, const TangentPlanes& planes, const 
     measured_[static_cast<std::size_t>(pick)] = true;
 }
 
+void LocalFit::lookAround(const Bounds& places, std::size_t picks, Scratch& s) const {
+  Surroundings& around = s.around;
+  around.places = places;
+  around.radius = std::min(kAmple * usualRadius(picks), search_radius_);
+  around.no_faults = !faults_.mayTouch(grown(places, around.radius));
+  grid_.runsAround(places, around.radius, s.runs);
+  around.runs.clear();
+  around.boxes.clear();
+  for (const PointRun& run : s.runs)
+    for (std::size_t first = 0; first < run.count; first += kShortRun) {
+      const std::size_t count = std::min(kShortRun, run.count - first);
+      Bounds box;
+      for (std::size_t i = first; i < first + count; ++i)
+        if (run.points[i].allFinite())
+          box.extend(run.points[i]);
+      around.runs.push_back({run.points + first, count, run.indices == nullptr ? nullptr : run.indices + first, run.first + static_cast<Index>(first)});
+      around.boxes.push_back(box);
+    }
+}
+
+/// Runs that together hold all picks within the radius.
+void LocalFit::findRuns(const Vector3& centre, double radius, Scratch& s) const {
+  const Surroundings& around = s.around;
+  if (!contains(around.places, centre) || radius > around.radius)
+    return grid_.runsAround(centre, radius, s.runs);
+  s.runs.clear();
+  for (std::size_t i = 0; i < around.runs.size(); ++i) {
+    const Bounds& box = around.boxes[i];
+    if ((box.low - centre).cwiseMax(centre - box.high).cwiseMax(0.0).squaredNorm() <= radius * radius)
+      s.runs.push_back(around.runs[i]);
+  }
+}
+
 void LocalFit::collect(const LocalSurface& frame, const Vector3& viewpoint, double radius, Scratch& s) const {
-  grid_.runsAround(frame.centre, radius, s.runs);
+  findRuns(frame.centre, radius, s);
   std::size_t most = detail::kLanes;
   for (const PointRun& run : s.runs)
     most += run.count;
@@ -94,6 +129,9 @@ void LocalFit::collect(const LocalSurface& frame, const Vector3& viewpoint, doub
   s.count = 0;
   for (const PointRun& run : s.runs)
     s.count = detail::collectRun(query, {run.points->data(), run.count, run.indices, run.first}, planes_.normals.front().data(), arrays(s), s.count);
+  const Bounds known = grown(s.around.places, s.around.radius);
+  if (s.around.no_faults && contains(known, viewpoint) && contains(s.around.places, frame.centre) && radius <= s.around.radius)
+    return;
   Bounds box = boxAround(frame.centre, 1.001 * radius);
   box.extend(viewpoint);
   const LocalFaults sides(faults_, *borders_, box);

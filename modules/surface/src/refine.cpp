@@ -3,6 +3,7 @@
 #include "graben/surface/local_fit.h"
 #include "graben/surface/viewpoints.h"
 
+#include "box_around.h"
 #include "surface_patches.h"
 #include "tip_lines.h"
 #include "vertex_moves.h"
@@ -39,6 +40,18 @@ LocalModel beyond(LocalModel model) {
   model.degree = std::min(model.degree, 2);
   model.neighbors *= 2;
   return model;
+}
+
+/// Gives every vertex the way to move along: for that, means by the triangles' areas do.
+void setDirections(TriangleMesh& mesh, const VertexCorners& corners, unsigned threads) {
+  mesh.normals.resize(mesh.vertices.size());
+  parallelFor(mesh.vertices.size(), 4096, threads, [&](std::size_t v) {
+    Vector3 sum = Vector3::Zero();
+    for (const Index corner : corners.of(v))
+      sum += areaNormal(mesh, mesh.triangles[static_cast<std::size_t>(corner) / 3]);
+    const double length = sum.norm();
+    mesh.normals[v] = length > 0.0 && std::isfinite(length) ? Vector3(sum / length) : Vector3(Vector3::UnitZ());
+  });
 }
 
 constexpr std::size_t kLeastAtTip = 24; // picks in a support next to a tip
@@ -141,7 +154,12 @@ private:
       if (own.valid)
         return own;
     }
-    return e.valid ? LocalEstimate(e) : fit_.at(at, viewpoint, normal, isNear(at) ? beyond(models.near) : models.edge, scratch);
+    if (e.valid)
+      return e;
+    const LocalModel model = isNear(at) ? beyond(models.near) : models.edge;
+    if (!contains(scratch.around.places, at))
+      fit_.lookAround(boxAround(at, 0.5 * support_), model.neighbors, scratch); // for those that follow too
+    return fit_.at(at, viewpoint, normal, model, scratch);
   }
 
   /// Next to a tip throw changes faster than elsewhere, as a square root: the support shrinks so as not to reach past it.
@@ -168,7 +186,7 @@ void refine(CutMesh& cut, const LocalFit& fit, const RefineOptions& options) {
   Refiner refiner(cut, fit, options);
   const VertexCorners corners(cut.mesh, options.threads);
   const VertexMover mover(cut, corners, fit.faults(), options.threads);
-  computeVertexNormals(cut.mesh, corners, options.threads);
+  setDirections(cut.mesh, corners, options.threads);
   std::vector<Index> vertices(cut.mesh.vertices.size());
   std::iota(vertices.begin(), vertices.end(), 0);
   for (unsigned pass = 0; pass < options.passes; ++pass) {

@@ -44,6 +44,7 @@ public:
   double reach() const { return widest_; }
 
 private:
+  std::size_t lookAround(std::size_t patch, std::size_t end, LocalFit::Scratch& scratch) const;
   void choosePicks(const ModelChoice& models, double near_distance, unsigned threads);
 
   const LocalFit& fit_;

@@ -101,6 +101,34 @@ TEST(LocalFit, UsesOnlyPicksOfItsOwnSide) {
   }
 }
 
+TEST(LocalFit, PicksLookedUpForSeveralPlacesAtOnceAreThoseOfEach) {
+  Field field(gentle, 0.2, {test::dippingFault(-40.0, 4.0, 15.0)});
+  for (std::size_t i = 0; i < field.picks.points.size(); i += 7)
+    field.picks.points[i].setConstant(std::numeric_limits<double>::quiet_NaN());
+  field.grid = field.grid.withoutThoseTakenOut();
+  const LocalFit fit = field.fit();
+  test::Random random(3);
+  for (int round = 0; round < 20; ++round) {
+    Bounds box;
+    box.extend({random.uniform(-18.0, 18.0), random.uniform(-18.0, 18.0), 0.0});
+    box.extend(Vector3(box.low + Vector3(4.0, 2.0, 1.0)));
+    LocalFit::Scratch together;
+    fit.lookAround(box, 60, together);
+    for (int place = 0; place < 20; ++place) {
+      const double beyond = place % 5 == 0 ? 3.0 : 0.0; // places that were not announced
+      const Vector3 at(random.uniform(box.low.x(), box.high.x() + beyond), random.uniform(box.low.y(), box.high.y()), random.uniform(0.0, 1.0));
+      const LocalModel model{2, place % 7 == 0 ? 200U : 50U, 0.0}; // more picks than were
+      LocalFit::Scratch alone;
+      together.pace = 0.0;
+      const LocalEstimate a = fit.at(at, at, Vector3::UnitZ(), model, alone), b = fit.at(at, at, Vector3::UnitZ(), model, together);
+      ASSERT_EQ(alone.count, together.count);
+      ASSERT_EQ(a.valid, b.valid);
+      EXPECT_NEAR(a.offset, b.offset, 1e-9);
+      EXPECT_LT((a.normal - b.normal).norm(), 1e-9);
+    }
+  }
+}
+
 TEST(Refine, NoiseIsAveragedNotCopied) {
   const Field field(gentle, 0.1);
   const RefineOptions options = field.options();

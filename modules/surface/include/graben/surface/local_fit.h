@@ -57,8 +57,18 @@ public:
   /// \param[in] search_radius no pick farther than this is used, in the picks' units
   LocalFit(const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults, double search_radius);
 
+  /// What lies around several places: the picks around a box, in short runs of which each has a box of its own.
+  struct Surroundings {
+    Bounds places;
+    double radius = 0.0;    ///< all picks as near to a place are known
+    bool no_faults = false; ///< none is as near
+    std::vector<PointRun> runs;
+    std::vector<Bounds> boxes; ///< of the runs
+  };
+
   /// Working memory, kept by the caller from call to call; after gather() the picks found, one array per quantity.
   struct Scratch {
+    Surroundings around; ///< set by lookAround()
     std::vector<PointRun> runs;
     std::size_t count = 0;
     std::vector<double> u, v, height, squared; ///< in the frame of the plane given; distance squared within that plane
@@ -73,6 +83,10 @@ public:
   /// \param[in] own       pick whose leverage is wanted, -1 for none
   LocalEstimate at(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, const LocalModel& model, Scratch& scratch,
                    Index own = -1) const;
+
+  /// Makes ready for supports of up to so many picks at places in a box: they then cost a fraction, and differ by no more than the order of sums.
+  /// To be called for places closer to each other than supports are wide; supports that reach farther are looked up one by one.
+  void lookAround(const Bounds& places, std::size_t picks, Scratch& scratch) const;
 
   /// The surface about a place, over the plane with that normal; arguments as for at().
   LocalSurface around(const Vector3& centre, const Vector3& viewpoint, const Vector3& normal, const LocalModel& model, Scratch& scratch) const;
@@ -104,6 +118,7 @@ public:
 private:
   struct Support;
   void addSlopes(const LocalSurface& surface, double weight, const Scratch& scratch, Index own, detail::NormalEquations& equations) const;
+  void findRuns(const Vector3& centre, double radius, Scratch& scratch) const;
   void collect(const LocalSurface& frame, const Vector3& viewpoint, double radius, Scratch& scratch) const;
 
   const NeighborGrid& grid_;
