@@ -29,6 +29,8 @@ void clip(Polygon& polygon, const Bounds& box) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
       const double limit = sign * (sign < 0.0 ? box.low[axis] : box.high[axis]);
+      if (std::all_of(polygon.corner.begin(), polygon.corner.begin() + polygon.count, [&](const Vector3& p) { return sign * p[axis] - limit <= 0.0; }))
+        continue;
       Polygon rest;
       for (std::size_t i = 0; i < polygon.count; ++i) {
         const Vector3& a = polygon.corner[i];
