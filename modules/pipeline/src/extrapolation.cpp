@@ -1,9 +1,8 @@
 #include "extrapolation.h"
 
 #include "graben/core/threads.h"
+#include "graben/mesh/normals.h"
 #include "graben/surface/viewpoints.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -59,11 +58,6 @@ void measure(const TriangleMesh& mesh, const Viewpoints& from, std::size_t begin
   }
 }
 
-double area(const TriangleMesh& mesh, const Triangle& t) {
-  const Vector3& a = mesh.vertices[static_cast<std::size_t>(t[0])];
-  return 0.5 * (mesh.vertices[static_cast<std::size_t>(t[1])] - a).cross(mesh.vertices[static_cast<std::size_t>(t[2])] - a).norm();
-}
-
 constexpr std::size_t kRun = 256;
 
 /// Of a run of vertices.
@@ -85,7 +79,7 @@ double areaShare(const TriangleMesh& mesh, const std::vector<float>& extrapolate
   parallelBlocks(mesh.triangles.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
     RunAreas run;
     for (std::size_t t = begin; t < end; ++t) {
-      const double size = area(mesh, mesh.triangles[t]);
+      const double size = 0.5 * areaNormal(mesh, mesh.triangles[t]).norm();
       run.whole += size;
       for (const Index v : mesh.triangles[t])
         run.beyond += size / 3.0 * extrapolated[static_cast<std::size_t>(v)];
