@@ -64,8 +64,8 @@ TEST(Lzf, staysInsideWhateverTheBlockHolds) {
     EXPECT_FALSE(unpackLzf(damaged, out.data(), text.size()));
     EXPECT_EQ(out.substr(text.size()), std::string(16, 'x'));
   }
-  std::string out(8, '\0');
-  EXPECT_FALSE(unpacks(std::string("\x20\x00", 2), out)); // from before the beginning
+  std::string out(3, '\0');
+  EXPECT_FALSE(unpacks(std::string("\x20\x00", 2), out)); // three bytes from before the beginning
 }
 
 } // namespace
