@@ -37,7 +37,7 @@ ProgressCallback ProgressDisplay::callback() {
 }
 
 void ProgressDisplay::run() {
-  const std::chrono::milliseconds pause(terminal_ ? 200 : 900);
+  const std::chrono::milliseconds pause(terminal_ ? 200 : 700);
   std::unique_lock<std::mutex> lock(guard_);
   wake_.wait_for(lock, std::chrono::milliseconds(200), [this] { return ended_; });
   while (!ended_) {
