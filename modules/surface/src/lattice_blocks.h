@@ -50,7 +50,7 @@ inline BlockMask push(BlockMask own, BlockMask before, std::size_t axis) {
 
 /// Moves the members of neighbouring blocks by an offset of 0 or 1 along each axis, where \a step moves by one.
 template <typename Step>
-BlockMask moved(const std::array<BlockMask, kForward>& m, const LatticeIndex& at, const Step& step) {
+[[gnu::always_inline]] inline BlockMask moved(const std::array<BlockMask, kForward>& m, const LatticeIndex& at, const Step& step) {
   std::array<BlockMask, 4> i{};
   for (std::size_t f = 0; f < 4; ++f)
     i[f] = at.i != 0 ? step(m[f], m[f + 4], 0) : m[f];
@@ -112,6 +112,7 @@ private:
 struct LatticeValues {
   std::array<double, block::kSlots> value; ///< field less the iso level
   std::array<Index, block::kSlots> plane;  ///< see FieldValue
+  std::array<BlockMask, 8> meets;          ///< vertices whose plane meets the cell that they are the given corner of (see cube::kCorner)
 };
 
 /// A block of the lattice: its cells, and the lattice vertices at their low corners.
@@ -146,6 +147,10 @@ public:
   Index makeForward(std::size_t b, std::size_t f);
   /// Looks up the forward blocks that have any of some vertices, so that makeForward() need not; for different blocks at once.
   void findForward(std::size_t b, const std::array<BlockMask, block::kForward>& vertices);
+  /// For each corner (see cube::kCorner) the cells of a block at whose corner a property of lattice vertices holds.
+  /// \param[in] property (block, corner) -> the vertices of the block that have it as that corner; not asked about blocks that do not exist
+  template <typename Property>
+  std::array<BlockMask, 8> atCorners(std::size_t b, const Property& property) const;
   /// Fills in the blocks beside each block, however they were made.
   void link(unsigned threads);
 
@@ -157,6 +162,25 @@ private:
   std::size_t size_ = 0;
   BlockTable table_;
 };
+
+template <typename Property>
+std::array<BlockMask, 8> LatticeBlocks::atCorners(std::size_t b, const Property& property) const {
+  const std::array<Index, block::kForward>& next = (*this)[b].forward;
+  std::array<BlockMask, 8> result{};
+#pragma GCC unroll 8
+  for (std::size_t c = 0; c < 8; ++c) {
+    constexpr auto corners = cube::kCorner;
+    const LatticeIndex at = corners[c];
+    const auto reached = static_cast<std::size_t>(4 * at.i + 2 * at.j + at.k);
+    std::array<BlockMask, block::kForward> of{};
+#pragma GCC unroll 8
+    for (std::size_t f = 0; f < block::kForward; ++f)
+      if ((f & ~reached) == 0 && next[f] >= 0)
+        of[f] = property(static_cast<std::size_t>(next[f]), c);
+    result[c] = block::corner(of, at);
+  }
+  return result;
+}
 
 /// A set of cells or vertices per block, for the blocks that have any: what is to be looked at next.
 struct BlockSet {

@@ -47,29 +47,48 @@ double farthest(const Points& points, const Vector3& origin, unsigned threads) {
   return *std::max_element(parts.begin(), parts.end());
 }
 
+/// How many cells hold picks of one run of picks in every \a stride runs.
+double cellsWithPicks(const NeighborGrid& grid, const Lattice& lattice, std::size_t stride, unsigned threads) {
+  constexpr std::size_t run = 8192;
+  const std::vector<Index>& order = grid.order();
+  const std::size_t runs = (order.size() + run * stride - 1) / (run * stride);
+  const auto place = [&](std::size_t i) {
+    const std::size_t at = i / run * stride * run + i % run;
+    return grid.points()[static_cast<std::size_t>(order[std::min(at, order.size() - 1)])];
+  };
+  double cells = 0.0;
+  for (const KeyedMask& entry : occupiedCells(runs * run, place, lattice, threads))
+    cells += block::count(entry.mask);
+  return cells;
+}
+
 } // namespace
+
+void checkSurfaceMemory(const NeighborGrid& grid, const Lattice& lattice, double reach, std::size_t memory_limit, double least, unsigned threads) {
+  if (grid.size() == 0 || memory_limit == 0)
+    return;
+  // The surface goes on from the picks by the reach: what it takes at most, and then as a rule, in cells of that size.
+  Lattice coarse = lattice;
+  coarse.voxel_size = std::max({reach, lattice.voxel_size, 4.0 * least});
+  const double each = std::pow(coarse.voxel_size / lattice.voxel_size, 2.0) * kBytesOfBlock / 16.0;
+  const auto limit = static_cast<double>(memory_limit);
+  if (9.0 * static_cast<double>(grid.size()) * each <= limit)
+    return;
+  constexpr std::size_t stride = 16; // a sample that finds plenty of room does
+  if (2.0 * stride * cellsWithPicks(grid, coarse, stride, threads) * each <= limit)
+    return;
+  const double excess = cellsWithPicks(grid, coarse, 1, threads) * each / limit;
+  if (excess > 1.0)
+    refuseVoxelSize(lattice.voxel_size, excess, least);
+}
 
 void checkVoxelSize(const NeighborGrid& grid, const Lattice& lattice, double reach, std::size_t memory_limit, unsigned threads) {
   if (grid.size() == 0)
     return;
-  const double h = lattice.voxel_size;
-  const double far = farthest(grid.points(), lattice.origin, threads);
-  const double least = far / kLatticeLimit;
-  // The surface goes on from the picks by the reach: what it takes at most, and then as a rule, in cells of that size.
-  Lattice coarse = lattice;
-  coarse.voxel_size = std::max({reach, h, 4.0 * least});
-  const double each = std::pow(coarse.voxel_size / h, 2.0) * kBytesOfBlock / 16.0;
-  const auto limit = static_cast<double>(memory_limit);
-  double excess = 0.0;
-  if (memory_limit > 0 && 9.0 * static_cast<double>(grid.size()) * each > limit) {
-    const Points& points = grid.points();
-    double cells = 0.0;
-    for (const KeyedMask& entry : occupiedCells(grid.order(), [&](Index p) { return points[static_cast<std::size_t>(p)]; }, coarse, threads))
-      cells += block::count(entry.mask);
-    excess = cells * each / limit;
-  }
-  if (excess > 1.0 || least > h)
-    refuseVoxelSize(h, excess, least);
+  const double least = farthest(grid.points(), lattice.origin, threads) / kLatticeLimit;
+  checkSurfaceMemory(grid, lattice, reach, memory_limit, least, threads);
+  if (least > lattice.voxel_size)
+    refuseVoxelSize(lattice.voxel_size, 0.0, least);
 }
 
 } // namespace graben

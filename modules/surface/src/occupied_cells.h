@@ -24,22 +24,29 @@ constexpr std::size_t kBytesOfBlock = sizeof(LatticeBlock) + sizeof(LatticeValue
 /// \param[in] excess memory needed over memory there is \param[in] least a voxel size that the index range asks for
 [[noreturn]] void refuseVoxelSize(double voxel_size, double excess, double least);
 
-/// The cells that hold place(pick) of a pick, in order of their keys; places that are not finite are left out.
+/// Refuses a voxel size with which the surface would not fit into memory, from the places of the picks alone (see checkVoxelSize()).
+/// \param[in] least a voxel size that the index range asks for
+void checkSurfaceMemory(const NeighborGrid& grid, const Lattice& lattice, double reach, std::size_t memory_limit, double least, unsigned threads);
+
+/// The cells that hold place(i) for an i from 0 to count - 1, in order of their keys; places that are not finite are left out.
 /// \throw ResourceError if a place is beyond the lattice's index range
 template <typename Place>
-std::vector<KeyedMask> occupiedCells(const std::vector<Index>& picks, const Place& place, const Lattice& lattice, unsigned threads) {
+std::vector<KeyedMask> occupiedCells(std::size_t count, const Place& place, const Lattice& lattice, unsigned threads) {
   constexpr std::size_t grain = 8192;
   const double limit = kLatticeLimit * lattice.voxel_size;
-  std::vector<std::vector<KeyedMask>> found((picks.size() + grain - 1) / grain);
-  parallelBlocks(picks.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  const std::size_t parts = (count + grain - 1) / grain;
+  std::vector<std::vector<KeyedMask>> found(parts);
+  std::vector<double> farthest(parts, 0.0);
+  parallelBlocks(count, grain, threads, [&](std::size_t begin, std::size_t end) {
     std::vector<KeyedMask>& entries = found[begin / grain];
     for (std::size_t i = begin; i < end; ++i) {
-      const Vector3 p = place(picks[i]);
-      if (!p.allFinite())
+      const Vector3 p = place(i);
+      const Vector3 from = (p - lattice.origin).cwiseAbs();
+      if (!(from.x() <= limit && from.y() <= limit && from.z() <= limit)) {
+        if (p.allFinite())
+          farthest[begin / grain] = std::max(farthest[begin / grain], from.maxCoeff());
         continue;
-      const double far = (p - lattice.origin).cwiseAbs().maxCoeff();
-      if (far > limit)
-        refuseVoxelSize(lattice.voxel_size, 0.0, far / kLatticeLimit);
+      }
       const LatticeIndex cell = lattice.cellOf(p);
       const std::uint64_t key = latticeKey(block::blockOf(cell));
       if (entries.empty() || entries.back().key != key)
@@ -48,6 +55,9 @@ std::vector<KeyedMask> occupiedCells(const std::vector<Index>& picks, const Plac
     }
     joinEqual(entries);
   });
+  const double far = parts == 0 ? 0.0 : *std::max_element(farthest.begin(), farthest.end());
+  if (far > limit)
+    refuseVoxelSize(lattice.voxel_size, 0.0, far / kLatticeLimit);
   std::vector<KeyedMask> all;
   for (std::vector<KeyedMask>& entries : found) {
     all.insert(all.end(), entries.begin(), entries.end());

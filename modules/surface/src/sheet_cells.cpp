@@ -5,6 +5,7 @@
 #include "graben/core/threads.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace graben {
 
@@ -16,23 +17,11 @@ struct Passages {
   std::array<BlockMask, 6> through{};
 };
 
-Passages passagesOf(const LatticeBlocks& blocks, Index b, BlockMask cells) {
-  std::array<BlockMask, block::kForward> defined{};
-  std::array<BlockMask, block::kForward> inside{};
-  const LatticeBlock& own = blocks[static_cast<std::size_t>(b)];
-  for (std::size_t f = 0; f < block::kForward; ++f) {
-    if (own.forward[f] < 0)
-      continue;
-    const LatticeBlock& next = blocks[static_cast<std::size_t>(own.forward[f])];
-    defined[f] = next.defined;
-    inside[f] = next.inside;
-  }
+Passages passagesOf(const LatticeBlocks& blocks, std::size_t b, BlockMask cells) {
   BlockMask all_defined = cells;
-  std::array<BlockMask, 8> in{};
-  for (std::size_t c = 0; c < 8; ++c) {
-    all_defined &= block::corner(defined, cube::kCorner[c]);
-    in[c] = block::corner(inside, cube::kCorner[c]);
-  }
+  for (const BlockMask defined : blocks.atCorners(b, [&](std::size_t next, std::size_t) { return blocks[next].defined; }))
+    all_defined &= defined;
+  const std::array<BlockMask, 8> in = blocks.atCorners(b, [&](std::size_t next, std::size_t) { return blocks[next].inside; });
   const auto passes = [&in](const auto& corners) {
     BlockMask any = 0;
     BlockMask all = ~BlockMask(0);
@@ -69,12 +58,13 @@ void SheetCells::grow() {
 
 void SheetCells::seed() {
   const TangentPlanes& planes = field_.planes();
-  const auto place = [&](Index pick) {
-    const auto p = static_cast<std::size_t>(pick);
+  const std::vector<Index>& picks = field_.grid().order();
+  const auto place = [&](std::size_t i) {
+    const auto p = static_cast<std::size_t>(picks[i]);
     // A lattice vertex on the surface counts as outside, so where the surface runs along the lattice it belongs to the cells behind it.
     return Vector3(planes.centres[p] + (options_.iso_level - 1e-6 * lattice_.voxel_size) * planes.normals[p]);
   };
-  for (const KeyedMask& entry : occupiedCells(field_.grid().order(), place, lattice_, options_.threads))
+  for (const KeyedMask& entry : occupiedCells(picks.size(), place, lattice_, options_.threads))
     frontier_.add(blocks_.make(latticeIndexOf(entry.key)), entry.mask);
 }
 
@@ -168,19 +158,35 @@ void SheetCells::evaluate() {
       for (BlockMask rest = wanted; rest != 0; rest &= rest - 1)
         places.push_back(lattice_.position(of.vertex(block::lowest(rest))));
       field_.at(places, places, scratch, values);
-      auto found = values.begin();
-      for (BlockMask rest = wanted; rest != 0; rest &= rest - 1, ++found) {
-        const int slot = block::lowest(rest);
-        const double value = found->value - options_.iso_level;
-        known.value[static_cast<std::size_t>(slot)] = value;
-        known.plane[static_cast<std::size_t>(slot)] = found->plane;
-        of.defined |= found->defined() ? block::bit(slot) : 0;
-        of.inside |= value < 0.0 ? block::bit(slot) : 0;
-      }
+      if (of.asked == 0)
+        known.meets.fill(0);
+      std::size_t found = 0;
+      for (BlockMask rest = wanted; rest != 0; rest &= rest - 1, ++found)
+        keep(values[found], places[found], block::lowest(rest), of, known);
       of.asked |= wanted;
     }
   });
   wanted_.clear();
+}
+
+void SheetCells::keep(const FieldValue& found, const Vector3& place, int slot, LatticeBlock& of, LatticeValues& known) const {
+  const double value = found.value - options_.iso_level;
+  known.value[static_cast<std::size_t>(slot)] = value;
+  known.plane[static_cast<std::size_t>(slot)] = found.plane;
+  if (!found.defined())
+    return;
+  of.defined |= block::bit(slot);
+  of.inside |= value < 0.0 ? block::bit(slot) : 0;
+  const auto p = static_cast<std::size_t>(found.plane);
+  const Vector3 half = 0.5 * lattice_.voxel_size * field_.planes().normals[p];
+  const double distance = (place - field_.planes().centres[p]).dot(field_.planes().normals[p]) - options_.iso_level;
+  const double reach = half.cwiseAbs().sum();
+  for (std::size_t c = 0; c < 8; ++c) {
+    const LatticeIndex& corner = cube::kCorner[c];
+    const double at_middle = distance + (corner.i != 0 ? -half.x() : half.x()) + (corner.j != 0 ? -half.y() : half.y()) +
+                             (corner.k != 0 ? -half.z() : half.z());
+    known.meets[c] |= std::abs(at_middle) <= reach ? block::bit(slot) : 0;
+  }
 }
 
 void SheetCells::evaluateGhosts() {
@@ -223,7 +229,7 @@ void SheetCells::evaluateGhosts() {
 void SheetCells::keepCrossed(const std::vector<SheetCell>& copies) {
   std::vector<Passages> passages(whole_.blocks.size());
   parallelFor(passages.size(), 256, options_.threads,
-              [&](std::size_t i) { passages[i] = passagesOf(blocks_, whole_.blocks[i], whole_.of(whole_.blocks[i])); });
+              [&](std::size_t i) { passages[i] = passagesOf(blocks_, static_cast<std::size_t>(whole_.blocks[i]), whole_.of(whole_.blocks[i])); });
   for (std::size_t i = 0; i < passages.size(); ++i) {
     const Index b = whole_.blocks[i];
     blocks_[static_cast<std::size_t>(b)].surface |= passages[i].surface;

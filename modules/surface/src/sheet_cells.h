@@ -46,6 +46,7 @@ private:
   void findFaulted();
   void addCopies(const LatticeIndex& cell, std::vector<CellCopy> made, std::vector<SheetCell>& copies);
   void evaluate();
+  void keep(const FieldValue& found, const Vector3& place, int slot, LatticeBlock& of, LatticeValues& known) const;
   void evaluateGhosts();
   void keepCrossed(const std::vector<SheetCell>& copies);
   Index realNode(const LatticeIndex& vertex);

@@ -1,6 +1,7 @@
 #include "graben/surface/sheet_extraction.h"
 
 #include "cube_tables.h"
+#include "occupied_cells.h"
 #include "sheet_edges.h"
 
 #include "graben/core/errors.h"
@@ -32,7 +33,7 @@ public:
     });
     parallelBlocks(cells_.copies().size(), kCopies, options_.threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
-        triangulate(cells_.copies()[c], out.mesh.vertices, parts_[whole_parts + begin / kCopies]);
+        triangulateCopy(cells_.copies()[c], out.mesh.vertices, parts_[whole_parts + begin / kCopies]);
     });
     join(out, whole_parts);
     return out;
@@ -51,7 +52,14 @@ private:
   };
 
   void triangulateBlock(std::size_t b, const Points& places, Part& part) const {
-    const LatticeBlock& of = cells_.blocks()[b];
+    const LatticeBlocks& blocks = cells_.blocks();
+    const LatticeBlock& of = blocks[b];
+    if (of.surface == 0)
+      return;
+    const auto inside = blocks.atCorners(b, [&](std::size_t next, std::size_t) { return blocks[next].inside; });
+    BlockMask all_meet = ~BlockMask(0);
+    for (const BlockMask meets : blocks.atCorners(b, [&](std::size_t next, std::size_t corner) { return blocks.values(next).meets[corner]; }))
+      all_meet &= meets;
     SheetCell cell;
     for (BlockMask rest = of.surface; rest != 0; rest &= rest - 1) {
       const int slot = block::lowest(rest);
@@ -62,8 +70,19 @@ private:
         const auto forward = static_cast<std::size_t>(((p.i >> 2) << 2) | ((p.j >> 2) << 1) | (p.k >> 2));
         cell.node[c] = block::kSlots * of.forward[forward] + block::slotOf(p);
       }
-      triangulate(cell, places, part);
+      std::size_t corners_inside = 0;
+      for (std::size_t c = 0; c < 8; ++c)
+        corners_inside |= (inside[c] >> slot & 1U) << c;
+      const bool test = options_.flip_angle < 180.0 && (all_meet & block::bit(slot)) == 0;
+      triangulate(cell, corners_inside, test ? referenceNormal(cell) : Vector3(Vector3::Zero()), places, part);
     }
+  }
+
+  void triangulateCopy(const SheetCell& cell, const Points& places, Part& part) const {
+    std::size_t corners_inside = 0;
+    for (std::size_t c = 0; c < 8; ++c)
+      corners_inside |= cells_.value(cell.node[c]) < 0.0 ? std::size_t(1) << c : 0;
+    triangulate(cell, corners_inside, options_.flip_angle < 180.0 ? referenceNormal(cell) : Vector3(Vector3::Zero()), places, part);
   }
 
   /// The paper's n_p: mean normal of the planes that meet the cell; zero if the flip test does not apply to this cell.
@@ -108,23 +127,21 @@ private:
     return edges_.vertexOn(endsOf(cell.node, e), cube::kEdgeAxis[e]);
   }
 
-  void triangulate(const SheetCell& cell, const Points& places, Part& part) const {
+  /// \param[in] reference zero: no flip test
+  void triangulate(const SheetCell& cell, std::size_t corners_inside, const Vector3& reference, const Points& places, Part& part) const {
     ++part.cells;
-    int inside = 0;
-    for (std::size_t c = 0; c < 8; ++c)
-      inside |= cells_.value(cell.node[c]) < 0.0 ? 1 << c : 0;
-    const Vector3 reference = options_.flip_angle < 180.0 ? referenceNormal(cell) : Vector3::Zero();
+    const bool test = !reference.isZero();
     std::array<Index, 12> on; // each edge
     on.fill(-1);
     const auto vertex = [&](int edge) {
       Index& v = on[static_cast<std::size_t>(edge)];
       return v >= 0 ? v : v = vertexOn(cell, edge);
     };
-    for (const int* table = cubeTriangles()[inside]; *table != -1; table += 3) {
+    for (const int* table = cubeTriangles()[corners_inside]; *table != -1; table += 3) {
       const Triangle t = {vertex(table[0]), vertex(table[1]), vertex(table[2])};
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
         continue;
-      if (!reference.isZero() && turnsAgainst(reference, t, places)) {
+      if (test && turnsAgainst(reference, t, places)) {
         ++part.rejected;
         continue;
       }
@@ -167,7 +184,7 @@ private:
 SheetMesh extractSheets(const SignedDistance& field, const ExtractionOptions& options) {
   if (!(options.lattice.voxel_size > 0.0) || !std::isfinite(options.lattice.voxel_size))
     throw InvalidInputError("marching cubes", "the voxel size must be a positive number");
-  checkVoxelSize(field.grid(), options.lattice, field.options().rho_plus_delta, options.memory_limit, options.threads);
+  checkSurfaceMemory(field.grid(), options.lattice, field.options().rho_plus_delta, options.memory_limit, 0.0, options.threads);
   SheetCells cells(field, options);
   cells.grow();
   SheetMesh out = Triangulator(cells, field, options).run();
