@@ -3,6 +3,7 @@
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 #include "graben/mesh/components.h"
+#include "graben/mesh/connections.h"
 #include "graben/mesh/normals.h"
 #include "graben/mesh/triangle_bvh.h"
 
@@ -21,26 +22,45 @@ Points areaNormals(const TriangleMesh& mesh, unsigned threads) {
   return normals;
 }
 
-/// One half-edge of every edge over which the surface turns by more than kFoldAngle, in rising order.
-std::vector<Index> foldedEdges(const Points& normals, const EdgeAdjacency& adjacency, unsigned threads) {
-  const double limit = std::cos(kFoldAngle * M_PI / 180.0);
-  const auto isFold = [&](std::size_t t, Index twin) {
-    const auto other = static_cast<std::size_t>(twin / 3);
-    if (twin < 0 || other <= t || normals[t].dot(normals[other]) >= 0.0) // limit is negative
-      return false;
-    return normals[t].normalized().dot(normals[other].normalized()) < limit;
+/// Appends a half-edge for each edge of triangle \a t over which the surface turns by more than kFoldAngle: of the edge's two the first.
+template <typename TwinOf>
+void listFolds(const TriangleMesh& mesh, std::size_t t, const TwinOf& twin_of, std::vector<Index>& folds) {
+  static const double limit = std::cos(kFoldAngle * M_PI / 180.0); // negative
+  const Vector3 normal = areaNormal(mesh, mesh.triangles[t]);
+  for (Index h = static_cast<Index>(3 * t), end = h + 3; h < end; ++h) {
+    const Index twin = twin_of(h);
+    if (twin < 0)
+      continue;
+    const Vector3 beyond = areaNormal(mesh, mesh.triangles[static_cast<std::size_t>(twin / 3)]);
+    if (normal.dot(beyond) < 0.0 && normal.normalized().dot(beyond.normalized()) < limit)
+      folds.push_back(std::min(h, twin));
+  }
+}
+
+std::vector<Index> inOrderOnce(std::vector<Index> values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+/// For each fold the triangle to blame.
+std::vector<Index> blamed(const TriangleMesh& mesh, const VertexCorners& corners, const std::vector<Index>& folds) {
+  const auto areaAround = [&](Index v) {
+    Vector3 sum = Vector3::Zero();
+    for (const Index corner : corners.of(static_cast<std::size_t>(v)))
+      sum += areaNormal(mesh, mesh.triangles[static_cast<std::size_t>(corner / 3)]);
+    return sum;
   };
-  constexpr std::size_t kGrain = 1 << 13;
-  std::vector<std::vector<Index>> blocks((normals.size() + kGrain - 1) / kGrain);
-  parallelFor(normals.size(), kGrain, threads, [&](std::size_t t) {
-    for (Index h = static_cast<Index>(3 * t), end = h + 3; h < end; ++h)
-      if (isFold(t, adjacency.twin(h)))
-        blocks[t / kGrain].push_back(h);
-  });
-  std::vector<Index> folds;
-  for (const std::vector<Index>& block : blocks)
-    folds.insert(folds.end(), block.begin(), block.end());
-  return folds;
+  std::vector<Index> result;
+  for (const Index h : inOrderOnce(folds)) {
+    const Triangle& triangle = mesh.triangles[static_cast<std::size_t>(h / 3)];
+    const auto e = static_cast<std::size_t>(h % 3);
+    const Vector3 mean = areaAround(triangle[e]) + areaAround(triangle[(e + 1) % 3]);
+    const Index other = twinOf(mesh, corners.of(static_cast<std::size_t>(triangle[e])), h) / 3;
+    const auto agreement = [&](const Triangle& t) { return areaNormal(mesh, t).normalized().dot(mean); };
+    result.push_back(agreement(triangle) < agreement(mesh.triangles[static_cast<std::size_t>(other)]) ? h / 3 : other);
+  }
+  return inOrderOnce(std::move(result));
 }
 
 /// The triangles with wrong[t] set; the others with an area if most of it is in those set.
@@ -74,30 +94,27 @@ Points upwardNormals(const TriangleMesh& mesh, unsigned threads) {
 
 std::vector<Index> foldedTriangles(const TriangleMesh& mesh, unsigned threads) {
   validate(mesh, kStage, threads);
-  return foldedTriangles(mesh, EdgeAdjacency(mesh, threads), threads);
+  const MeshConnections connections(mesh, threads);
+  constexpr std::size_t kGrain = 1 << 13;
+  std::vector<std::vector<Index>> blocks((mesh.triangles.size() + kGrain - 1) / kGrain);
+  parallelFor(mesh.triangles.size(), kGrain, threads, [&](std::size_t t) {
+    listFolds(mesh, t, [&](Index h) { return connections.adjacency.twin(h); }, blocks[t / kGrain]);
+  });
+  std::vector<Index> folds;
+  for (const std::vector<Index>& block : blocks)
+    folds.insert(folds.end(), block.begin(), block.end());
+  return blamed(mesh, connections.corners, folds);
 }
 
-std::vector<Index> foldedTriangles(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, unsigned threads) {
-  const Points normals = areaNormals(mesh, threads);
-  const std::vector<Index> folds = foldedEdges(normals, adjacency, threads);
-  if (folds.empty())
-    return {};
-  Points around(mesh.vertices.size(), Vector3::Zero());
-  for (std::size_t t = 0; t < normals.size(); ++t)
-    for (const Index v : mesh.triangles[t])
-      around[static_cast<std::size_t>(v)] += normals[t];
-  std::vector<Index> result;
-  for (const Index h : folds) {
-    const auto t = static_cast<std::size_t>(h / 3);
-    const auto e = static_cast<std::size_t>(h % 3);
-    const auto other = static_cast<std::size_t>(adjacency.twin(h) / 3);
-    const Vector3 mean =
-      around[static_cast<std::size_t>(mesh.triangles[t][e])] + around[static_cast<std::size_t>(mesh.triangles[t][(e + 1) % 3])];
-    result.push_back(static_cast<Index>(normals[t].normalized().dot(mean) < normals[other].normalized().dot(mean) ? t : other));
-  }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
+std::vector<Index> foldedTriangles(const TriangleMesh& mesh, const VertexCorners& corners, const std::vector<Index>& suspects) {
+  std::vector<Index> folds;
+  const auto twin_of = [&](Index h) {
+    const Index start = mesh.triangles[static_cast<std::size_t>(h / 3)][static_cast<std::size_t>(h % 3)];
+    return twinOf(mesh, corners.of(static_cast<std::size_t>(start)), h);
+  };
+  for (const Index t : suspects)
+    listFolds(mesh, static_cast<std::size_t>(t), twin_of, folds);
+  return blamed(mesh, corners, folds);
 }
 
 std::vector<Index> trianglesAgainst(const TriangleMesh& mesh, const TriangleMesh& truth,

@@ -73,6 +73,29 @@ EdgeAdjacency::EdgeAdjacency(const TriangleMesh& mesh, const VertexCorners& corn
   });
 }
 
+Index twinOf(const TriangleMesh& mesh, VertexCorners::Range corners_at_an_end, Index half_edge) {
+  const Index own = half_edge / 3;
+  if (repeatsVertex(mesh.triangles[static_cast<std::size_t>(own)]))
+    return EdgeAdjacency::kNonManifold;
+  const Index from = startOf(mesh, half_edge);
+  const Index to = startOf(mesh, nextInTriangle(half_edge));
+  Index twin = EdgeAdjacency::kBorder;
+  for (const Index corner : corners_at_an_end) {
+    const Index t = corner / 3;
+    if (t == own || repeatsVertex(mesh.triangles[static_cast<std::size_t>(t)]))
+      continue;
+    for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+      const Index start = startOf(mesh, h);
+      const Index end = startOf(mesh, nextInTriangle(h));
+      if ((start == from && end == to) || (start == to && end == from && twin != EdgeAdjacency::kBorder))
+        return EdgeAdjacency::kNonManifold;
+      if (start == to && end == from)
+        twin = h;
+    }
+  }
+  return twin;
+}
+
 std::vector<std::vector<Index>> borderLoops(const TriangleMesh& mesh,
                                             const EdgeAdjacency& adjacency) {
   std::vector<std::vector<Index>> loops;

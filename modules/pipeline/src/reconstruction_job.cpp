@@ -201,9 +201,9 @@ void ReconstructionJob::orient() {
   orientNormals(grid_, faultsUnless(options_.skip.neighbors), o, planes_.normals);
 }
 
-void ReconstructionJob::readThrowsOff() {
+void ReconstructionJob::readThrowsOff(const EdgeAdjacency& adjacency) {
   const LocalFrame& frame = result_.frame;
-  result_.cutoffs = cutoffLines(cut_.mesh, cut_.vertex_faults, connections().adjacency, &faults_, options_.threads);
+  result_.cutoffs = cutoffLines(cut_.mesh, cut_.vertex_faults, adjacency, &faults_, options_.threads);
   result_.throws = readThrows(result_.cutoffs, faults_);
   for (CutoffLine& line : result_.cutoffs)
     for (Vector3& p : line.points)
@@ -231,7 +231,7 @@ void ReconstructionJob::handOutPicks(const std::vector<Index>& pieces) {
 
 void ReconstructionJob::finish() {
   if (options_.skip.tidy || cut_.mesh.empty())
-    computeVertexNormals(cut_.mesh, options_.threads);
+    computeVertexNormals(cut_.mesh, *corners_, options_.threads);
   else
     tidy();
   if (options_.keep_picks)
@@ -254,13 +254,14 @@ void ReconstructionJob::measureSurface() {
   ExtrapolationOptions extrapolation;
   extrapolation.limit = rhoPlusDelta();
   extrapolation.threads = options_.threads;
-  result_.report.extrapolation = markExtrapolation(cut_, connections().corners, grid_, faults_, extrapolation);
+  result_.report.extrapolation = markExtrapolation(cut_, *corners_, grid_, faults_, extrapolation);
   grid_ = NeighborGrid();
   for (const auto& [pick, place] : aside_)
     picks_.points[static_cast<std::size_t>(pick)] = place;
-  evaluate({cut_, connections(), components, faults_}, options_.threads, result_.report);
-  readThrowsOff();
-  connections_.reset();
+  const MeshConnections connections(cut_.mesh, std::move(*corners_), options_.threads);
+  corners_.reset();
+  evaluate({cut_, connections, components, faults_}, options_.threads, result_.report);
+  readThrowsOff(connections.adjacency);
 }
 
 } // namespace graben

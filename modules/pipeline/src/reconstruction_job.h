@@ -8,6 +8,7 @@
 #include "graben/features/neighbor_grid.h"
 #include "graben/features/tangent_planes.h"
 #include "graben/mesh/connections.h"
+#include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
 #include "graben/surface/sheet_extraction.h"
 #include "graben/surface/signed_distance.h"
@@ -39,7 +40,7 @@ private:
   void orient();
   void finish();
   void measureSurface();
-  void readThrowsOff();
+  void readThrowsOff(const EdgeAdjacency& adjacency);
   void handOutPicks(const std::vector<Index>& pieces);
 
   // From planes to the surface (surface_stages.cpp)
@@ -48,10 +49,6 @@ private:
   void fit();
   void refineLocally();
   void tidy();
-  bool unfold();
-  std::vector<Index> trianglesAgainstPicks() const;
-  std::size_t remove(const std::vector<Index>& triangles);
-  const MeshConnections& connections();
   SignedDistanceOptions distanceOptions() const;
   Vector3 latticeOrigin() const;
 
@@ -74,7 +71,7 @@ private:
   Points normals_;          ///< those of the planes, after the planes have gone
   std::vector<Index> zone_; ///< the paper's X_S, picks set aside included
   CutMesh cut_;
-  std::optional<MeshConnections> connections_; ///< of the mesh as it is after the fit
+  std::optional<VertexCorners> corners_; ///< of its mesh, after the cut
 };
 
 } // namespace graben

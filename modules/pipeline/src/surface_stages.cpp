@@ -1,12 +1,9 @@
 #include "reconstruction_job.h"
 
-#include "against_picks.h"
 #include "evaluation.h"
+#include "tidying.h"
 
 #include "graben/analysis/approximation_error.h"
-#include "graben/analysis/bridges.h"
-#include "graben/analysis/flipped_triangles.h"
-#include "graben/mesh/normals.h"
 #include "graben/surface/crumbs.h"
 #include "graben/surface/data_border.h"
 #include "graben/surface/defaults.h"
@@ -20,7 +17,6 @@ namespace graben {
 
 namespace {
 
-constexpr int kUnfoldRounds = 4;
 constexpr double kBesideFaults = 3.0; // voxels; where the zone fit is wanted before the local fit, which goes on from it
 
 /// The picks in the zone, before those set aside are back among the points.
@@ -35,20 +31,6 @@ Points zonePoints(const Points& points, const std::vector<Index>& zone, const st
     zone_points.push_back(is_aside ? next->second : points[static_cast<std::size_t>(pick)]);
   }
   return zone_points;
-}
-
-/// The corners of all triangles that share a corner with those named, in rising order.
-std::vector<Index> verticesAround(const TriangleMesh& mesh, const VertexCorners& corners, const std::vector<Index>& triangles) {
-  std::vector<Index> found;
-  for (const Index t : triangles)
-    for (const Index v : mesh.triangles[static_cast<std::size_t>(t)])
-      for (const Index corner : corners.of(static_cast<std::size_t>(v))) {
-        const Triangle& near = mesh.triangles[static_cast<std::size_t>(corner / 3)];
-        found.insert(found.end(), near.begin(), near.end());
-      }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
 }
 
 } // namespace
@@ -99,7 +81,8 @@ void ReconstructionJob::cut(SheetMesh sheets) {
   o.tolerance = surface_defaults::kCutTolerance * result_.report.used.voxel_size;
   o.threads = options_.threads;
   cut_ = cutSheets(std::move(sheets), faultsUnless(options_.skip.cut), o);
-  result_.report.crumbs_removed = removeCrumbs(cut_, surface_defaults::kCrumb);
+  result_.report.crumbs_removed = removeCrumbs(cut_, surface_defaults::kCrumb, options_.threads);
+  corners_.emplace(cut_.mesh, options_.threads);
 }
 
 void ReconstructionJob::fit() {
@@ -121,7 +104,7 @@ void ReconstructionJob::fit() {
     zone.passes = 1;
   }
   if (!options_.skip.zone_fit)
-    fitZone(cut_, grid_, planes_, faults_, zone);
+    fitZone(cut_, *corners_, grid_, planes_, faults_, zone);
   if (local_fit)
     refineLocally();
 }
@@ -134,64 +117,20 @@ void ReconstructionJob::refineLocally() {
   refinement.zone_width = used.zone_width;
   refinement.max_step = used.voxel_size;
   refinement.threads = options_.threads;
-  refine(cut_, local, refinement);
+  refine(cut_, *corners_, local, refinement);
 }
 
 /// A few triangles, mostly in the corners between faults, may be folded over or still reach over a fault after the fit; none may stay.
-/// The mesh then has its normals.
 void ReconstructionJob::tidy() {
-  const bool settled = unfold();
-  if (!settled) {
-    result_.report.folds_removed = remove(turnedTriangles(cut_, true, options_.threads));
-    result_.report.folds_removed += remove(foldedTriangles(cut_.mesh, connections().adjacency, options_.threads));
-    result_.report.folds_removed += remove(trianglesAgainstPicks());
-  }
-  const double tolerance = kOnFault * result_.report.used.voxel_size;
-  if (!faults_.empty())
-    result_.report.bridges_removed = remove(bridgingTriangles(cut_.mesh, faults_, tolerance, options_.threads));
-  if (!settled || result_.report.bridges_removed > 0)
-    computeVertexNormals(cut_.mesh, connections().corners, options_.threads);
-}
-
-/// Relaxes folds until there are none, for a few rounds; the mesh then has its normals. \return true if none are left
-bool ReconstructionJob::unfold() {
-  computeVertexNormals(cut_.mesh, connections().corners, options_.threads);
-  for (int round = 0; round < kUnfoldRounds; ++round) {
-    std::vector<Index> relaxed;
-    const auto relax = [&](const std::vector<Index>& triangles) {
-      relaxTriangles(cut_, triangles);
-      relaxed.insert(relaxed.end(), triangles.begin(), triangles.end());
-    };
-    relax(turnedTriangles(cut_, true, options_.threads));
-    relax(foldedTriangles(cut_.mesh, connections().adjacency, options_.threads));
-    relax(trianglesAgainstPicks());
-    if (relaxed.empty())
-      return true;
-    updateVertexNormals(cut_.mesh, connections().corners, verticesAround(cut_.mesh, connections().corners, relaxed), options_.threads);
-  }
-  return false;
-}
-
-/// Only faults make any; on a thin part of an object the nearest pick may well be one of its far side.
-std::vector<Index> ReconstructionJob::trianglesAgainstPicks() const {
-  if (faults_.empty())
-    return {};
-  return graben::trianglesAgainstPicks(cut_, grid_, planes_.normals, result_.report.used.fault_reach, options_.threads);
-}
-
-std::size_t ReconstructionJob::remove(const std::vector<Index>& triangles) {
-  if (triangles.empty() || triangles.size() == cut_.mesh.triangles.size())
-    return 0;
-  removeTriangles(cut_, triangles, options_.threads);
-  result_.report.crumbs_removed += removeCrumbs(cut_, surface_defaults::kCrumb);
-  connections_.reset();
-  return triangles.size();
-}
-
-const MeshConnections& ReconstructionJob::connections() {
-  if (!connections_)
-    connections_.emplace(cut_.mesh, options_.threads);
-  return *connections_;
+  ReconstructionReport& report = result_.report;
+  TidyingInput input{grid_, planes_.normals, faults_};
+  input.pick_reach = report.used.fault_reach;
+  input.on_fault = kOnFault * report.used.voxel_size;
+  input.crumb = surface_defaults::kCrumb;
+  const TidyingResult tidied = graben::tidy(cut_, *corners_, input, options_.threads);
+  report.folds_removed = tidied.folds;
+  report.bridges_removed = tidied.bridges;
+  report.crumbs_removed += tidied.crumbs;
 }
 
 } // namespace graben

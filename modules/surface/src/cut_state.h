@@ -25,6 +25,9 @@ struct CutState {
 /// Cuts along one fault.
 void cutAlongFault(CutState& state, const class FaultNetwork& faults, std::size_t fault, double tolerance, unsigned threads);
 
+/// Appends a vertex like another, with all that belongs to it.
+void copyVertex(CutMesh& cut, Index from);
+
 /// Gives each side of the marked edges its own vertices; also separates fans of triangles that share a vertex only.
 void openCuts(CutState& state, unsigned threads);
 

@@ -75,14 +75,15 @@ CutState cutAll(TriangleMesh mesh, const FaultNetwork& faults, const FaultCutOpt
 
 } // namespace
 
-void removeUnreferencedVertices(CutMesh& cut, unsigned threads) {
-  const std::vector<Index> target = removeUnreferencedVertices(cut.mesh, threads);
+std::vector<Index> removeUnreferencedVertices(CutMesh& cut, unsigned threads) {
+  std::vector<Index> target = removeUnreferencedVertices(cut.mesh, threads);
   if (target.empty())
-    return;
+    return target;
   for (std::size_t v = 0; v < target.size(); ++v)
     if (target[v] >= 0)
       cut.vertex_faults[static_cast<std::size_t>(target[v])] = cut.vertex_faults[v];
   cut.vertex_faults.resize(cut.mesh.vertices.size());
+  return target;
 }
 
 CutMesh cutAlongFaults(const TriangleMesh& mesh, const FaultNetwork& faults, const FaultCutOptions& options) {

@@ -8,8 +8,6 @@
 
 namespace graben {
 
-namespace {
-
 void copyVertex(CutMesh& cut, Index from) {
   const auto v = static_cast<std::size_t>(from);
   TriangleMesh& mesh = cut.mesh;
@@ -22,6 +20,8 @@ void copyVertex(CutMesh& cut, Index from) {
     field.second.push_back(float(field.second[v]));
   cut.vertex_faults.push_back(std::array<Index, 2>(cut.vertex_faults[v]));
 }
+
+namespace {
 
 /// Walks round vertices from triangle to triangle over edges that are not cut.
 class Fans {

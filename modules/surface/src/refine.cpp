@@ -183,8 +183,11 @@ private:
 } // namespace
 
 void refine(CutMesh& cut, const LocalFit& fit, const RefineOptions& options) {
+  refine(cut, VertexCorners(cut.mesh, options.threads), fit, options);
+}
+
+void refine(CutMesh& cut, const VertexCorners& corners, const LocalFit& fit, const RefineOptions& options) {
   Refiner refiner(cut, fit, options);
-  const VertexCorners corners(cut.mesh, options.threads);
   const VertexMover mover(cut, corners, fit.faults(), options.threads);
   setDirections(cut.mesh, corners, options.threads);
   std::vector<Index> vertices(cut.mesh.vertices.size());

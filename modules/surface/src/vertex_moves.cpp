@@ -1,7 +1,5 @@
 #include "vertex_moves.h"
 
-#include "graben/surface/crumbs.h"
-
 #include "graben/core/threads.h"
 #include "graben/faults/fault_signature.h"
 
@@ -196,34 +194,6 @@ void VertexMover::move(CutMesh& cut, Points targets) const {
   pullBack(cut, targets);
   for (std::size_t i = 0; i < belt_.size(); ++i)
     cut.mesh.vertices[static_cast<std::size_t>(belt_[i])] = targets[i];
-}
-
-void relaxTriangles(CutMesh& cut, const std::vector<Index>& triangles) {
-  std::vector<Index> vertices;
-  for (const Index t : triangles)
-    for (const Index v : cut.mesh.triangles[static_cast<std::size_t>(t)])
-      if (!cut.onFault(v))
-        vertices.push_back(v);
-  if (vertices.empty())
-    return;
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-
-  std::vector<std::uint8_t> moves(cut.mesh.vertices.size(), 0);
-  for (const Index v : vertices)
-    moves[static_cast<std::size_t>(v)] = 1;
-  Points sums(vertices.size(), Vector3::Zero());
-  std::vector<int> counts(vertices.size(), 0);
-  for (const Triangle& t : cut.mesh.triangles)
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (moves[static_cast<std::size_t>(t[c])] == 0)
-        continue;
-      const auto i = static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), t[c]) - vertices.begin());
-      sums[i] += cut.mesh.vertices[static_cast<std::size_t>(t[(c + 1) % 3])] + cut.mesh.vertices[static_cast<std::size_t>(t[(c + 2) % 3])];
-      counts[i] += 2;
-    }
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    cut.mesh.vertices[static_cast<std::size_t>(vertices[i])] = sums[i] / counts[i];
 }
 
 } // namespace graben

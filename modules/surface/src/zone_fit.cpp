@@ -102,11 +102,15 @@ std::vector<Index> zoneVertices(const CutMesh& cut, const FaultNetwork& faults, 
 
 ZoneFitResult fitZone(CutMesh& cut, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
                       const ZoneFitOptions& options) {
+  return fitZone(cut, VertexCorners(cut.mesh, options.threads), grid, planes, faults, options);
+}
+
+ZoneFitResult fitZone(CutMesh& cut, const VertexCorners& corners, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
+                      const ZoneFitOptions& options) {
   ZoneFitResult result;
   if (options.mode == FitMode::Off)
     return result;
   const std::vector<Index> zone = zoneVertices(cut, faults, options);
-  const VertexCorners corners(cut.mesh, options.threads);
   const VertexMover mover(cut, corners, faults, options.threads);
   cut.mesh.normals.resize(cut.mesh.vertices.size(), Vector3::UnitZ());
   for (unsigned pass = 0; pass < options.passes; ++pass) {

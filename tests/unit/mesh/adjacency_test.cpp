@@ -43,6 +43,23 @@ TEST(EdgeAdjacency, TrianglesThatNameAVertexTwiceTakeNoPart) {
   EXPECT_EQ(adjacency.twin(4), EdgeAdjacency::kNonManifold);
 }
 
+TEST(TwinOf, IsThatOfTheWholeAdjacencyFromEitherEnd) {
+  std::vector<TriangleMesh> meshes = {test::gridMesh(5), meshOf(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}), meshOf(4, {{0, 1, 2}, {0, 1, 3}}),
+                                      meshOf(3, {{0, 1, 2}, {0, 0, 1}}), meshOf(3, {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}})};
+  std::mt19937_64 random(3);
+  TriangleMesh& tangle = meshes.emplace_back(meshOf(8, {}));
+  for (int t = 0; t < 20; ++t)
+    tangle.triangles.push_back({static_cast<Index>(random() % 8), static_cast<Index>(random() % 8), static_cast<Index>(random() % 8)});
+  for (const TriangleMesh& mesh : meshes) {
+    const VertexCorners corners(mesh);
+    const EdgeAdjacency adjacency(mesh, corners);
+    for (std::size_t h = 0; h < 3 * mesh.triangles.size(); ++h)
+      for (const std::size_t end : {h % 3, (h + 1) % 3})
+        EXPECT_EQ(twinOf(mesh, corners.of(static_cast<std::size_t>(mesh.triangles[h / 3][end])), static_cast<Index>(h)),
+                  adjacency.twin(static_cast<Index>(h)));
+  }
+}
+
 TEST(EdgeAdjacency, TwinsAreMutualAndRunOppositeWaysOnALargeGrid) {
   const TriangleMesh mesh = test::gridMesh(60);
   const EdgeAdjacency adjacency(mesh);

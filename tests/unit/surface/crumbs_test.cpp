@@ -1,73 +1,81 @@
 #include "graben/surface/crumbs.h"
 
-#include "graben/mesh/normals.h"
+#include "graben/mesh/components.h"
+#include "unit/mesh/meshes.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace graben {
 namespace {
 
-/// A flat square of 4 x 4 cells of size 1, two triangles each, on no fault.
-CutMesh square() {
+/// A flat square of n x n cells of size 1, two triangles each, on no fault.
+CutMesh square(Index n) {
   CutMesh cut;
-  for (int y = 0; y <= 4; ++y)
-    for (int x = 0; x <= 4; ++x)
-      cut.mesh.vertices.emplace_back(x, y, 0.0);
-  for (Index y = 0; y < 4; ++y)
-    for (Index x = 0; x < 4; ++x) {
-      const Index a = 5 * y + x;
-      cut.mesh.triangles.push_back({a, a + 1, a + 6});
-      cut.mesh.triangles.push_back({a, a + 6, a + 5});
-    }
+  cut.mesh = test::gridMesh(n);
   cut.vertex_faults.assign(cut.mesh.vertices.size(), {-1, -1});
   return cut;
 }
 
-TEST(RemoveTriangles, LeavesNoFansTouchingInAVertex) {
-  CutMesh cut = square();
-  // Around the middle vertex (12) all but two opposite triangles go.
-  std::vector<Index> gone;
-  std::vector<Index> around;
-  for (std::size_t t = 0; t < cut.mesh.triangles.size(); ++t)
-    for (const Index v : cut.mesh.triangles[t])
-      if (v == 12)
-        around.push_back(static_cast<Index>(t));
+std::vector<Index> trianglesAt(const CutMesh& cut, Index vertex) {
+  std::vector<Index> found;
+  for (const Index corner : VertexCorners(cut.mesh).of(static_cast<std::size_t>(vertex)))
+    found.push_back(corner / 3);
+  return found;
+}
+
+TEST(TriangleRemoval, LeavesNoFansTouchingInAVertex) {
+  CutMesh cut = square(4);
+  const VertexCorners corners(cut.mesh);
+  cut.vertex_faults[12] = {7, -1};
+  // Around the middle vertex (12) all but two opposite triangles go, in two goes.
+  const std::vector<Index> around = trianglesAt(cut, 12);
   ASSERT_EQ(around.size(), 6U);
-  for (const Index t : around)
-    if (t != around.front() && t != around.back())
-      gone.push_back(t);
-  removeTriangles(cut, gone);
+  TriangleRemoval removal(cut, corners);
+  EXPECT_TRUE(removal.empty());
+  EXPECT_EQ(removal.take({around[1], around[2]}), 2U);
+  EXPECT_EQ(removal.take({around[3], around[4]}), 2U);
+  EXPECT_EQ(cut.mesh.triangles.size(), 32U) << "they stay in their places until the end";
+  const TriangleRemoval::Result result = removal.finish(1);
   EXPECT_EQ(cut.mesh.triangles.size(), 28U);
   EXPECT_EQ(cut.mesh.vertices.size(), 26U) << "the middle vertex is doubled";
+  EXPECT_EQ(cut.vertex_faults.size(), 26U);
+  EXPECT_EQ(cut.vertex_faults.back(), cut.vertex_faults[12]);
+  EXPECT_EQ(trianglesAt(cut, 12).size(), 1U);
+  EXPECT_EQ(trianglesAt(cut, 25).size(), 1U);
+  EXPECT_EQ(connectedComponents(cut.mesh).triangle_count.size(), 1U);
+  EXPECT_THAT(result.touched, testing::Contains(25));
+  EXPECT_EQ(result.crumbs, 0U);
 }
 
-TEST(TurnedTriangles, FoldsAtTheBorderAreFoundAndRelaxed) {
-  CutMesh cut = square();
-  computeVertexNormals(cut.mesh);
-  EXPECT_TRUE(turnedTriangles(cut, false).empty());
-  cut.mesh.vertices[0] = Vector3(1.6, 1.3, 0.1); // the corner folds over its neighbours
-  computeVertexNormals(cut.mesh);
-  const std::vector<Index> turned = turnedTriangles(cut, true);
-  ASSERT_FALSE(turned.empty());
-  for (int round = 0; round < 4; ++round) {
-    computeVertexNormals(cut.mesh);
-    relaxTriangles(cut, turnedTriangles(cut, true));
-  }
-  computeVertexNormals(cut.mesh);
-  EXPECT_TRUE(turnedTriangles(cut, false).empty());
+TEST(TriangleRemoval, WhatIsLeftTooSmallGoesToo) {
+  CutMesh cut = square(4);
+  cut.mesh.vertices.emplace_back(100, 100, 0); // used by nobody
+  cut.vertex_faults.push_back({-1, -1});
+  const VertexCorners corners(cut.mesh);
+  TriangleRemoval removal(cut, corners);
+  // Next to its corner vertex 0 stays one triangle, joined to the rest by a vertex at most.
+  removal.take({1, 2, 3, 8, 9, 10, 11});
+  const TriangleRemoval::Result result = removal.finish(2);
+  EXPECT_EQ(result.crumbs, 1U);
+  EXPECT_EQ(cut.mesh.triangles.size(), 24U);
+  for (const Triangle& t : cut.mesh.triangles)
+    for (const Index v : t)
+      EXPECT_GT(cut.mesh.vertices[static_cast<std::size_t>(v)].norm(), 1.1);
+  EXPECT_EQ(cut.mesh.vertices.size(), cut.vertex_faults.size());
+  for (const Index v : result.touched)
+    EXPECT_FALSE(trianglesAt(cut, v).empty());
 }
 
-TEST(RelaxTriangles, VerticesOnAFaultStay) {
-  CutMesh cut = square();
-  cut.vertex_faults[12] = {0, -1};
-  cut.mesh.vertices[12].z() = 5.0;
-  cut.mesh.vertices[6].z() = 5.0;
-  std::vector<Index> all;
-  for (std::size_t t = 0; t < cut.mesh.triangles.size(); ++t)
-    all.push_back(static_cast<Index>(t));
-  relaxTriangles(cut, all);
-  EXPECT_EQ(cut.mesh.vertices[12].z(), 5.0);
-  EXPECT_LT(cut.mesh.vertices[6].z(), 2.0);
+TEST(TriangleRemoval, NeverTakesAll) {
+  CutMesh cut = square(1);
+  const VertexCorners corners(cut.mesh);
+  TriangleRemoval removal(cut, corners);
+  EXPECT_EQ(removal.take({0}), 1U);
+  EXPECT_EQ(removal.take({1}), 0U);
+  removal.finish(1);
+  EXPECT_EQ(cut.mesh.triangles.size(), 1U);
+  EXPECT_EQ(cut.mesh.vertices.size(), 3U);
 }
 
 } // namespace

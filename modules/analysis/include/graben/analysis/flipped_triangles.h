@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graben/mesh/adjacency.h"
+#include "graben/mesh/vertex_corners.h"
 
 #include <vector>
 
@@ -22,8 +22,9 @@ constexpr double kFoldAngle = 120.0;
 /// \param[in] threads 0: one per processor
 std::vector<Index> foldedTriangles(const TriangleMesh& mesh, unsigned threads = 0);
 
-/// The same for a valid mesh whose adjacency is at hand.
-std::vector<Index> foldedTriangles(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, unsigned threads = 0);
+/// The same for the folds that some triangles of a valid mesh have an edge at: those named and triangles next to them. O(suspects log suspects)
+/// \param[in] corners of the mesh, before triangles were made to name a vertex twice or since
+std::vector<Index> foldedTriangles(const TriangleMesh& mesh, const VertexCorners& corners, const std::vector<Index>& suspects);
 
 /// The triangles that face away from the true surface, in rising order: their normal and that of
 /// the nearest true triangle differ by more than 90 degrees.

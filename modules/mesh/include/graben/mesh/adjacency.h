@@ -28,6 +28,10 @@ private:
   std::vector<Index> twin_;
 };
 
+/// EdgeAdjacency::twin() of a single half-edge, where few are asked for: found among the corners at either end of the edge, and as the triangles are by
+/// now, should some of those corners' triangles have changed since.
+Index twinOf(const TriangleMesh& mesh, VertexCorners::Range corners_at_an_end, Index half_edge);
+
 /// Closed loops of border half-edges as vertex lists, each in the direction of its triangles; O(n),
 /// deterministic. At a vertex where several loops touch, each loop keeps to its own fan of
 /// triangles; where a border runs into a non-manifold edge, the loop follows that edge on the side

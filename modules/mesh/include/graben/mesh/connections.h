@@ -3,6 +3,8 @@
 #include "graben/mesh/adjacency.h"
 #include "graben/mesh/vertex_corners.h"
 
+#include <utility>
+
 namespace graben {
 
 /// What hangs on a mesh's triangles alone and serves one stage after the other: it holds until triangles are added, removed or turned round,
@@ -13,7 +15,11 @@ struct MeshConnections {
 
   /// O(n); the same for any number of threads (0: one per processor). The mesh's indices must be valid.
   explicit MeshConnections(const TriangleMesh& mesh, unsigned threads = 0)
-      : corners(mesh, threads)
+      : MeshConnections(mesh, VertexCorners(mesh, threads), threads) {}
+
+  /// The same where the mesh's corners are at hand.
+  MeshConnections(const TriangleMesh& mesh, VertexCorners at_hand, unsigned threads = 0)
+      : corners(std::move(at_hand))
       , adjacency(mesh, corners, threads) {}
 };
 

@@ -1,24 +1,46 @@
 #pragma once
 
+#include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
 
 namespace graben {
 
 /// Removes the connected components with fewer than \a least triangles, unless that leaves nothing.
-/// \return how many components were removed
-std::size_t removeCrumbs(CutMesh& cut, std::size_t least);
-
-/// The triangles turned by more than 75 degrees from the mean of their corners' normals, in rising order: small folds that the fit made.
-/// \param[in] cut        with up-to-date vertex normals
-/// \param[in] at_border  only those with an edge on the mesh's border
-/// \param[in] threads    0: one per processor; the result is the same for every number
-std::vector<Index> turnedTriangles(const CutMesh& cut, bool at_border, unsigned threads = 0);
-
-/// Moves the corners of the triangles named, those on no fault, to the mean of their neighbours.
-void relaxTriangles(CutMesh& cut, const std::vector<Index>& triangles);
-
-/// Removes the triangles named (in rising order) and gives fans of triangles that are left touching in a vertex a vertex each.
 /// \param[in] threads 0: one per processor; the result is the same for every number
-void removeTriangles(CutMesh& cut, const std::vector<Index>& triangles, unsigned threads = 0);
+/// \return how many components were removed
+std::size_t removeCrumbs(CutMesh& cut, std::size_t least, unsigned threads = 0);
+
+/// Takes triangles out of a mesh in several goes, between which others are still looked for, and makes the mesh good once at the end.
+///
+/// Until then a triangle taken out stays where it is and names its first corner three times: it has no area and no edges, and every search passes over
+/// it, while the numbers of all triangles, vertices and corners hold.
+class TriangleRemoval {
+public:
+  /// \param[in] corners of the mesh, kept by reference until finish()
+  TriangleRemoval(CutMesh& cut, const VertexCorners& corners) : cut_(cut), corners_(corners) {}
+
+  /// Takes out the triangles named, each not taken before, unless no triangle would be left. \return how many were taken out
+  std::size_t take(const std::vector<Index>& triangles);
+
+  bool empty() const { return taken_.empty(); }
+
+  /// What finish() has done.
+  struct Result {
+    std::size_t crumbs = 0;      ///< components removed
+    std::vector<Index> touched;  ///< vertices that are left of the triangles taken out, by their new numbers: their normals are to be made anew
+  };
+
+  /// Gives fans of triangles that are left touching in a vertex a vertex each; drops what was taken out, components with fewer than \a least triangles
+  /// as removeCrumbs() does, and vertices no longer used. \param[in] threads 0: one per processor
+  Result finish(std::size_t least, unsigned threads = 0);
+
+private:
+  void divide(Index vertex);
+
+  CutMesh& cut_;
+  const VertexCorners& corners_;
+  std::vector<Index> taken_;
+  std::vector<Index> touched_;
+};
 
 } // namespace graben

@@ -22,6 +22,7 @@ struct CutMesh {
 
 /// Drops vertices no triangle uses, together with their faults.
 /// \param[in] threads 0: one per processor
-void removeUnreferencedVertices(CutMesh& cut, unsigned threads = 1);
+/// \return see removeUnreferencedVertices(TriangleMesh&)
+std::vector<Index> removeUnreferencedVertices(CutMesh& cut, unsigned threads = 1);
 
 } // namespace graben

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/features/tangent_planes.h"
+#include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
 
 #include <array>
@@ -157,5 +158,8 @@ struct RefineOptions {
 /// The mesh's normals are then those of the fitted surface at the vertices (where there are picks to say so), no longer those of the triangles.
 /// Passes after the first move the vertices near faults only. Cost: in proportion to the picks and vertices, whatever the support.
 void refine(CutMesh& cut, const LocalFit& fit, const RefineOptions& options);
+
+/// The same where the mesh's corners are at hand.
+void refine(CutMesh& cut, const VertexCorners& corners, const LocalFit& fit, const RefineOptions& options);
 
 } // namespace graben

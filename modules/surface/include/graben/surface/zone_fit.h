@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/features/tangent_planes.h"
+#include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
 
 namespace graben {
@@ -36,6 +37,10 @@ struct ZoneFitResult {
 /// result does not depend on their order or the number of threads. Vertices in the zone are left with the normals of the
 /// triangles before the last pass. O(vertices in the zone x neighbors + triangles).
 ZoneFitResult fitZone(CutMesh& cut, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
+                      const ZoneFitOptions& options);
+
+/// The same where the mesh's corners are at hand.
+ZoneFitResult fitZone(CutMesh& cut, const VertexCorners& corners, const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults,
                       const ZoneFitOptions& options);
 
 } // namespace graben
