@@ -9,9 +9,10 @@ namespace graben {
 
 namespace {
 
-void evaluateFaults(const CutMesh& cut, const FaultNetwork& faults, unsigned threads, ReconstructionReport& report) {
+void evaluateFaults(const FinishedSurface& surface, unsigned threads, ReconstructionReport& report) {
+  const auto& [cut, connections, components, faults, bridges] = surface;
   const double tolerance = kOnFault * report.used.voxel_size;
-  report.bridging_triangles = bridgingTriangles(cut.mesh, faults, tolerance, threads).size();
+  report.bridging_triangles = bridges ? *bridges : bridgingTriangles(cut.mesh, faults, tolerance, threads).size();
   SealOptions seal;
   seal.zone_width = report.used.voxel_size;
   seal.tolerance = tolerance;
@@ -57,7 +58,7 @@ void evaluate(const FinishedSurface& surface, unsigned threads, ReconstructionRe
   report.topology = checkTopology(mesh, surface.connections, surface.components, threads);
   report.quality = triangleQuality(mesh, threads);
   if (!surface.faults.empty())
-    evaluateFaults(surface.cut, surface.faults, threads, report);
+    evaluateFaults(surface, threads, report);
   if (!report.topology.ok())
     report.warnings.push_back("The mesh has topological faults; see topology in the report.");
 }

@@ -6,6 +6,8 @@
 #include "graben/pipeline/reconstruction_report.h"
 #include "graben/surface/cut_mesh.h"
 
+#include <optional>
+
 namespace graben {
 
 /// A vertex this near to a fault lies on it; in voxels. Where bridges are looked for to remove them and to count them it must be the same.
@@ -17,6 +19,7 @@ struct FinishedSurface {
   const MeshConnections& connections;
   const Components& components;
   const FaultNetwork& faults;
+  std::optional<std::size_t> bridges; ///< triangles that bridge a fault, where they have been counted
 };
 
 /// Fills in the figures of the surface itself and of its faults.

@@ -1,5 +1,7 @@
 #include "extrapolation.h"
 
+#include "distance_batch.h"
+
 #include "graben/core/threads.h"
 #include "graben/mesh/normals.h"
 #include "graben/surface/viewpoints.h"
@@ -36,25 +38,76 @@ double distanceToVisible(const Vector3& vertex, const Vector3& viewpoint, const 
   return std::sqrt(candidates.back().squared_distance);
 }
 
-/// Distances of a run of vertices; most runs are far from all faults, where nothing is hidden.
+/// Distances of a few vertices to the nearest pick, whatever faults stand between.
+class NearestPicks {
+public:
+  NearestPicks(const TriangleMesh& mesh, const NeighborGrid& picks) : mesh_(mesh), picks_(picks), reach_(kReach * picks.cellSize()) {}
+
+  /// \param[in] begin, end no more than DistanceBatch::kPlaces vertices, best near each other
+  void measure(std::size_t begin, std::size_t end, double* distance) {
+    Bounds box;
+    DistanceBatch batch;
+    for (std::size_t v = begin; v < end; ++v) {
+      const Vector3& place = mesh_.vertices[v];
+      box.extend(place);
+      batch.x[v - begin] = place.x();
+      batch.y[v - begin] = place.y();
+      batch.z[v - begin] = place.z();
+      batch.squared[v - begin] = reach_ * reach_;
+    }
+    if (box.diagonal() <= kTogether * reach_) {
+      picks_.runsAround(box, reach_, runs_);
+      for (const PointRun& run : runs_)
+        batch.show(run.points->data(), run.count);
+    }
+    for (std::size_t v = begin; v < end; ++v) {
+      const double found = batch.squared[v - begin];
+      *distance++ = std::sqrt(found < reach_ * reach_ ? found : picks_.nearestOne(mesh_.vertices[v]).squared_distance);
+    }
+  }
+
+private:
+  static constexpr double kReach = 0.75;   // cells: hardly a place among the picks has none so near
+  static constexpr double kTogether = 8.0; // reaches
+
+  const TriangleMesh& mesh_;
+  const NeighborGrid& picks_;
+  double reach_;
+  std::vector<PointRun> runs_;
+};
+
+/// What there is to see from some vertices: no farther than the nearest pick.
+Bounds viewOf(const TriangleMesh& mesh, const Viewpoints& from, std::size_t begin, std::size_t end, const double* distance) {
+  Bounds box;
+  for (std::size_t v = begin; v < end; ++v, ++distance) {
+    box.extend(from.of(static_cast<Index>(v)));
+    if (!std::isfinite(*distance))
+      continue;
+    box.extend(mesh.vertices[v] - Vector3::Constant(*distance));
+    box.extend(mesh.vertices[v] + Vector3::Constant(*distance));
+  }
+  return box;
+}
+
+/// Distances of a run of vertices; most are far from all faults, where nothing is hidden.
 void measure(const TriangleMesh& mesh, const Viewpoints& from, std::size_t begin, std::size_t end, const NeighborGrid& picks,
              const FaultNetwork& faults, double* distance) {
-  std::vector<Neighbor> nearest(end - begin);
-  Bounds box;
-  for (std::size_t v = begin; v < end; ++v) {
-    Neighbor& pick = nearest[v - begin];
-    pick = picks.nearestOne(mesh.vertices[v]);
-    distance[v - begin] = std::sqrt(pick.squared_distance);
-    box.extend(from.of(static_cast<Index>(v)));
-    if (pick.index >= 0)
-      box.extend(placeOf(picks, pick));
-  }
-  if (faults.empty() || !faults.mayTouch(box))
+  constexpr std::size_t few = DistanceBatch::kPlaces;
+  NearestPicks nearest(mesh, picks);
+  for (std::size_t v = begin; v < end; v += few)
+    nearest.measure(v, std::min(v + few, end), distance + (v - begin));
+  if (faults.empty() || !faults.mayTouch(viewOf(mesh, from, begin, end, distance)))
     return;
-  for (std::size_t v = begin; v < end; ++v) {
-    const Vector3 viewpoint = from.of(static_cast<Index>(v));
-    if (nearest[v - begin].index >= 0 && hidden(faults, viewpoint, placeOf(picks, nearest[v - begin])))
-      distance[v - begin] = distanceToVisible(mesh.vertices[v], viewpoint, picks, faults);
+  for (std::size_t first = begin; first < end; first += few) {
+    const std::size_t last = std::min(first + few, end);
+    if (!faults.mayTouch(viewOf(mesh, from, first, last, distance + (first - begin))))
+      continue;
+    for (std::size_t v = first; v < last; ++v) {
+      const Neighbor pick = picks.nearestOne(mesh.vertices[v]);
+      const Vector3 viewpoint = from.of(static_cast<Index>(v));
+      if (pick.index >= 0 && hidden(faults, viewpoint, placeOf(picks, pick)))
+        distance[v - begin] = distanceToVisible(mesh.vertices[v], viewpoint, picks, faults);
+    }
   }
 }
 

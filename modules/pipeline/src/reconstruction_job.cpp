@@ -260,7 +260,7 @@ void ReconstructionJob::measureSurface() {
     picks_.points[static_cast<std::size_t>(pick)] = place;
   const MeshConnections connections(cut_.mesh, std::move(*corners_), options_.threads);
   corners_.reset();
-  evaluate({cut_, connections, components, faults_}, options_.threads, result_.report);
+  evaluate({cut_, connections, components, faults_, bridges_}, options_.threads, result_.report);
   readThrowsOff(connections.adjacency);
 }
 

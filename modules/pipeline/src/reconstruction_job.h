@@ -72,6 +72,7 @@ private:
   std::vector<Index> zone_; ///< the paper's X_S, picks set aside included
   CutMesh cut_;
   std::optional<VertexCorners> corners_; ///< of its mesh, after the cut
+  std::optional<std::size_t> bridges_;   ///< in it, where known
 };
 
 } // namespace graben

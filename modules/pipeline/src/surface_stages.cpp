@@ -131,6 +131,8 @@ void ReconstructionJob::tidy() {
   report.folds_removed = tidied.folds;
   report.bridges_removed = tidied.bridges;
   report.crumbs_removed += tidied.crumbs;
+  if (tidied.bridges == 0)
+    bridges_ = 0;
 }
 
 } // namespace graben
