@@ -1,10 +1,9 @@
 #include "graben/analysis/approximation_error.h"
 
-#include "part_near_faults.h"
-
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 #include "graben/filters/fault_distance.h"
+#include "graben/mesh/nearest_triangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +14,7 @@ namespace graben {
 namespace {
 
 const char* const kStage = "measuring the approximation error";
-constexpr std::size_t kGrain = 4096;
+constexpr std::size_t kGrain = 8192;
 
 void checkSelection(const std::vector<Index>& selection, std::size_t picks) {
   for (const Index i : selection)
@@ -25,12 +24,15 @@ void checkSelection(const std::vector<Index>& selection, std::size_t picks) {
 
 } // namespace
 
-PickDistances pickDistances(const TriangleBvh& mesh, const Points& picks, unsigned threads) {
+PickDistances pickDistances(const TriangleMesh& mesh, const Points& picks, unsigned threads) {
   if (mesh.empty())
     throw InvalidInputError(kStage, "the surface has no triangles");
   PickDistances result{std::vector<double>(picks.size()), std::vector<Index>(picks.size())};
+  if (picks.empty())
+    return result;
+  const NearestTriangles nearest(mesh, threads);
   parallelBlocks(picks.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
-    mesh.nearestOfEach(picks.data() + begin, end - begin, result.distance.data() + begin, result.triangle.data() + begin);
+    nearest.find(picks.data() + begin, end - begin, result.distance.data() + begin, result.triangle.data() + begin);
   });
   return result;
 }
@@ -47,47 +49,15 @@ DistanceStatistics approximationError(const std::vector<double>& distances, cons
   return approximationError(std::move(chosen), threads);
 }
 
-DistanceStatistics approximationError(const TriangleBvh& mesh, const Points& picks, const std::vector<Index>& selection, unsigned threads) {
+DistanceStatistics approximationError(const TriangleMesh& mesh, const Points& picks, unsigned threads) {
+  return approximationError(pickDistances(mesh, picks, threads).distance, threads);
+}
+
+DistanceStatistics approximationError(const TriangleMesh& mesh, const Points& picks, const std::vector<Index>& selection, unsigned threads) {
   checkSelection(selection, picks.size());
   Points chosen(selection.size());
   std::transform(selection.begin(), selection.end(), chosen.begin(), [&](Index i) { return picks[static_cast<std::size_t>(i)]; });
   return approximationError(mesh, chosen, threads);
-}
-
-DistanceStatistics approximationError(const TriangleBvh& mesh, const Points& picks, unsigned threads) {
-  return approximationError(pickDistances(mesh, picks, threads).distance, threads);
-}
-
-DistanceStatistics approximationError(const TriangleMesh& mesh, const Points& picks,
-                                      unsigned threads) {
-  return approximationError(TriangleBvh(mesh, threads), picks, threads);
-}
-
-DistanceStatistics approximationError(const TriangleMesh& mesh, const Points& picks,
-                                      const std::vector<Index>& selection, unsigned threads) {
-  return approximationError(TriangleBvh(mesh, threads), picks, selection, threads);
-}
-
-DistanceStatistics approximationErrorInZone(const TriangleMesh& mesh, const Points& picks, const FaultNetwork& network, double width, double reach,
-                                            unsigned threads) {
-  if (!mesh.empty() && picks.empty())
-    return {};
-  const TriangleBvh near(partNearFaults(mesh, network, width + reach, threads).mesh, threads);
-  if (near.empty())
-    return approximationError(mesh, picks, threads);
-  std::vector<double> distances = pickDistances(near, picks, threads).distance;
-  std::vector<std::size_t> far;
-  for (std::size_t i = 0; i < picks.size(); ++i)
-    if (distances[i] > reach && picks[i].allFinite())
-      far.push_back(i);
-  if (!far.empty()) {
-    const TriangleBvh all(mesh, threads);
-    parallelFor(far.size(), 256, threads, [&](std::size_t i) {
-      double& distance = distances[far[i]];
-      distance = std::min(distance, all.nearest(picks[far[i]], distance).distance);
-    });
-  }
-  return approximationError(std::move(distances), threads);
 }
 
 std::vector<Index> zonePicks(const Points& picks, const FaultNetwork& network, double width,

@@ -29,7 +29,7 @@ void checkOptions(const EvaluationOptions& o) {
 }
 
 PickErrors pickErrors(const EvaluationInput& input, const EvaluationOptions& o) {
-  const std::vector<double> distance = pickDistances(TriangleBvh(input.mesh, o.threads), input.picks, o.threads).distance;
+  const std::vector<double> distance = pickDistances(input.mesh, input.picks, o.threads).distance;
   PickErrors errors;
   errors.all = approximationError(distance, o.threads);
   if (input.faults.empty()) {

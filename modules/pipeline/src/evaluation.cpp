@@ -67,7 +67,7 @@ std::vector<Index> evaluatePicks(const TriangleMesh& mesh, const Points& picks, 
                                  ReconstructionReport& report) {
   if (mesh.empty())
     return std::vector<Index>(picks.size(), -1);
-  PickDistances found = pickDistances(TriangleBvh(mesh, threads), picks, threads);
+  PickDistances found = pickDistances(mesh, picks, threads);
   report.zone_after_fit = approximationError(found.distance, zone, threads);
   toPieces(mesh, found.distance, report.used.fault_reach, threads, found.triangle);
   report.all_picks = approximationError(std::move(found.distance), threads);

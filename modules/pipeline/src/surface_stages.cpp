@@ -87,8 +87,7 @@ void ReconstructionJob::cut(SheetMesh sheets) {
 
 void ReconstructionJob::fit() {
   const UsedParameters& used = result_.report.used;
-  result_.report.zone_before_fit = approximationErrorInZone(cut_.mesh, zonePoints(picks_.points, zone_, aside_), faults_, used.zone_width,
-                                                            used.voxel_size, options_.threads);
+  result_.report.zone_before_fit = approximationError(cut_.mesh, zonePoints(picks_.points, zone_, aside_), options_.threads);
   if (options_.fit == FitMode::Off)
     return;
   ZoneFitOptions zone;

@@ -2,7 +2,6 @@
 
 #include "graben/analysis/statistics.h"
 #include "graben/faults/fault_network.h"
-#include "graben/mesh/triangle_bvh.h"
 
 #include <vector>
 
@@ -14,9 +13,9 @@ struct PickDistances {
   std::vector<Index> triangle;  ///< the nearest, -1 for such a pick
 };
 
-/// O(n log m), deterministic; fastest for picks that follow each other in space.
-/// \throw InvalidInputError if there is no triangle
-PickDistances pickDistances(const TriangleBvh& mesh, const Points& picks, unsigned threads = 0);
+/// O((n + m) log m), deterministic; fastest for picks, and triangles, that follow each other in space.
+/// \throw InvalidInputError if the mesh is not valid or has no triangle
+PickDistances pickDistances(const TriangleMesh& mesh, const Points& picks, unsigned threads = 0);
 
 /// E(M, X) from distances at hand: of all picks, or of those \a selection names.
 /// \throw InvalidInputError if an index is out of range
@@ -26,26 +25,16 @@ DistanceStatistics approximationError(const std::vector<double>& distances, cons
 /// The paper's E(M, X), the mean of d(p, M)^2 over the picks, as mean_square; with the distances'
 /// other figures. Picks that are not finite are left out (count says how many were used).
 ///
-/// \param[in] mesh      hierarchy of the surface M
+/// \param[in] mesh      the surface M
 /// \param[in] threads   0: one per processor
-/// O(n log m), deterministic. \throw InvalidInputError if there is no triangle
-DistanceStatistics approximationError(const TriangleBvh& mesh, const Points& picks,
-                                      unsigned threads = 0);
+/// O((n + m) log m), deterministic. \throw InvalidInputError if the mesh is not valid or has no triangle
 DistanceStatistics approximationError(const TriangleMesh& mesh, const Points& picks,
                                       unsigned threads = 0);
 
 /// The same over the picks \a selection names (the paper's X_S, see zonePicks).
 /// \throw InvalidInputError also if an index is out of range
-DistanceStatistics approximationError(const TriangleBvh& mesh, const Points& picks,
-                                      const std::vector<Index>& selection, unsigned threads = 0);
 DistanceStatistics approximationError(const TriangleMesh& mesh, const Points& picks,
                                       const std::vector<Index>& selection, unsigned threads = 0);
-
-/// The same for picks that all lie within \a width of a fault, most of them within \a reach of the surface: looks at the part of the mesh near the
-/// faults, and at all of it only for picks farther from that.
-/// \throw InvalidInputError as above
-DistanceStatistics approximationErrorInZone(const TriangleMesh& mesh, const Points& picks, const FaultNetwork& network, double width, double reach,
-                                            unsigned threads = 0);
 
 /// The picks within \a width of any fault, in rising order: the paper's X_S.
 /// \param[in] width distance to the fault surface, 0 or more, unit of the coordinates

@@ -13,7 +13,6 @@ namespace graben {
 namespace detail {
 class BvhBuilder;
 struct NearestQuery;
-struct PointGroup;
 } // namespace detail
 
 /// The point of a triangle nearest to a query, and where on the triangle it is.
@@ -64,10 +63,6 @@ public:
   /// The nearest point within max_distance; triangle -1 if there is none or \a p is not finite.
   MeshPoint nearest(const Vector3& p, double max_distance = std::numeric_limits<double>::infinity()) const;
 
-  /// The nearest triangle and its distance for each of \a count points: just what nearest() says of them one by one, -1 and infinity for a point
-  /// that is not finite. Several times as fast where points that follow each other lie near each other.
-  void nearestOfEach(const Vector3* points, std::size_t count, double* distances, Index* triangles) const;
-
   /// The hit nearest to \a a on the closed segment a b, if there is one. A segment that ends on the
   /// mesh hits it; one that runs inside a triangle's plane does not hit that triangle. Watertight
   /// over shared edges: a segment through an edge hits at least one of its triangles.
@@ -103,9 +98,6 @@ private:
   const Vector3& corner(std::size_t place, std::size_t e) const { return vertices_[static_cast<std::size_t>(triangles_[place][e])]; }
   Vector3 scaled(const Vector3& p) const { return (p - origin_) * per_length_; }
   void search(detail::NearestQuery& query) const;
-  MeshPoint nearestFrom(const Vector3& p, Index start) const;
-  void nearestOneByOne(const Vector3* points, std::size_t count, double* distances, Index* triangles) const;
-  void nearestTogether(const Vector3* points, std::size_t count, detail::PointGroup& group, double* distances, Index* triangles) const;
   template <typename Visit>
   bool walkLeaves(const Bounds& box, const Visit& visit) const;
   template <typename Visit>

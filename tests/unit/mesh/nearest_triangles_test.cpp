@@ -1,3 +1,6 @@
+#include "graben/mesh/nearest_triangles.h"
+
+#include "graben/core/errors.h"
 #include "graben/mesh/triangle_bvh.h"
 #include "unit/mesh/meshes.h"
 
@@ -43,7 +46,7 @@ void expectSameAsOneByOne(const TriangleMesh& mesh, const Points& points) {
   const TriangleBvh bvh(mesh);
   std::vector<double> distances(points.size());
   std::vector<Index> triangles(points.size());
-  bvh.nearestOfEach(points.data(), points.size(), distances.data(), triangles.data());
+  NearestTriangles(mesh).find(points.data(), points.size(), distances.data(), triangles.data());
   for (std::size_t p = 0; p < points.size(); ++p) {
     const MeshPoint one = bvh.nearest(points[p]);
     ASSERT_EQ(triangles[p], one.triangle) << p;
@@ -51,14 +54,14 @@ void expectSameAsOneByOne(const TriangleMesh& mesh, const Points& points) {
   }
 }
 
-TEST(NearestOfEach, PicksOnASheet) {
+TEST(NearestTriangles, PicksOnASheet) {
   std::mt19937_64 generator(1);
   for (const double noise : {0.0, 1e-9, 0.05, 0.5, 5.0})
     for (const double size : {0.1, 0.3})
       expectSameAsOneByOne(sheet(30, size, false), sheetPoints(generator, 500, noise));
 }
 
-TEST(NearestOfEach, FarFromTheOrigin) {
+TEST(NearestTriangles, FarFromTheOrigin) {
   std::mt19937_64 generator(2);
   const Vector3 far(6e6, 6e6, -3e3);
   TriangleMesh mesh = sheet(30, 0.2, false);
@@ -70,12 +73,12 @@ TEST(NearestOfEach, FarFromTheOrigin) {
   expectSameAsOneByOne(mesh, points);
 }
 
-TEST(NearestOfEach, ThinTriangles) {
+TEST(NearestTriangles, ThinTriangles) {
   std::mt19937_64 generator(3);
   expectSameAsOneByOne(sheet(30, 0.2, true), sheetPoints(generator, 300, 0.1));
 }
 
-TEST(NearestOfEach, SoupAndScatteredPoints) {
+TEST(NearestTriangles, SoupAndScatteredPoints) {
   std::mt19937_64 generator(4);
   for (const double cube : {1e-6, 1.0, 1e6}) {
     Points points;
@@ -86,7 +89,7 @@ TEST(NearestOfEach, SoupAndScatteredPoints) {
   }
 }
 
-TEST(NearestOfEach, PointsOnCornersAndEdgesTakeTheLowestTriangle) {
+TEST(NearestTriangles, PointsOnCornersAndEdgesTakeTheLowestTriangle) {
   const TriangleMesh mesh = sheet(20, 0.25, false);
   Points points = mesh.vertices;
   for (const Triangle& t : mesh.triangles)
@@ -94,7 +97,45 @@ TEST(NearestOfEach, PointsOnCornersAndEdgesTakeTheLowestTriangle) {
   expectSameAsOneByOne(mesh, points);
 }
 
-TEST(NearestOfEach, PointsThatAreNotFiniteOrVeryFar) {
+TEST(NearestTriangles, OfAMeshInNoOrder) {
+  std::mt19937_64 generator(6);
+  TriangleMesh mesh = sheet(120, 0.05, false);
+  for (std::size_t t = mesh.triangles.size(); t > 1; --t)
+    std::swap(mesh.triangles[t - 1], mesh.triangles[generator() % t]);
+  expectSameAsOneByOne(mesh, sheetPoints(generator, 500, 0.05));
+}
+
+TEST(NearestTriangles, OfAMeshWithSmallAndLargeTriangles) {
+  std::mt19937_64 generator(7);
+  TriangleMesh mesh = sheet(6, 1.0, false);
+  const TriangleMesh fine = sheet(60, 0.03, false);
+  for (const Triangle& t : fine.triangles)
+    mesh.triangles.push_back({t[0] + static_cast<Index>(mesh.vertices.size()), t[1] + static_cast<Index>(mesh.vertices.size()),
+                              t[2] + static_cast<Index>(mesh.vertices.size())});
+  mesh.vertices.insert(mesh.vertices.end(), fine.vertices.begin(), fine.vertices.end());
+  expectSameAsOneByOne(mesh, sheetPoints(generator, 500, 0.1));
+}
+
+TEST(NearestTriangles, AreTheSameForEveryNumberOfThreads) {
+  std::mt19937_64 generator(8);
+  const TriangleMesh mesh = sheet(80, 0.05, false);
+  const Points points = sheetPoints(generator, 300, 0.2);
+  const auto find = [&](unsigned threads) {
+    std::vector<double> distances(points.size());
+    std::vector<Index> triangles(points.size());
+    NearestTriangles(mesh, threads).find(points.data(), points.size(), distances.data(), triangles.data());
+    return std::make_pair(distances, triangles);
+  };
+  EXPECT_EQ(find(1), find(3));
+}
+
+TEST(NearestTriangles, NeedAValidMesh) {
+  TriangleMesh broken = sheet(3, 1.0, false);
+  broken.triangles[4][1] = 99;
+  EXPECT_THROW(NearestTriangles{broken}, InvalidInputError);
+}
+
+TEST(NearestTriangles, PointsThatAreNotFiniteOrVeryFar) {
   std::mt19937_64 generator(5);
   Points points = sheetPoints(generator, 200, 0.1);
   points[3].x() = std::numeric_limits<double>::quiet_NaN();
@@ -104,12 +145,12 @@ TEST(NearestOfEach, PointsThatAreNotFiniteOrVeryFar) {
   expectSameAsOneByOne(sheet(30, 0.2, false), points);
 }
 
-TEST(NearestOfEach, NothingToFind) {
-  const TriangleBvh bvh;
+TEST(NearestTriangles, NothingToFind) {
+  const TriangleMesh mesh;
   const Points points(3, Vector3::Zero());
   std::vector<double> distances(3);
   std::vector<Index> triangles(3);
-  bvh.nearestOfEach(points.data(), points.size(), distances.data(), triangles.data());
+  NearestTriangles(mesh).find(points.data(), points.size(), distances.data(), triangles.data());
   EXPECT_EQ(triangles, std::vector<Index>(3, -1));
   EXPECT_TRUE(std::isinf(distances[2]));
 }

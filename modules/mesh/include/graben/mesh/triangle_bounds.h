@@ -1,0 +1,16 @@
+#pragma once
+
+#include "graben/mesh/bounds.h"
+#include "graben/mesh/triangle_mesh.h"
+
+namespace graben {
+
+/// The box of a triangle.
+inline Bounds boundsOf(const TriangleMesh& mesh, const Triangle& triangle) {
+  Bounds box;
+  for (const Index v : triangle)
+    box.extend(mesh.vertices[static_cast<std::size_t>(v)]);
+  return box;
+}
+
+} // namespace graben
