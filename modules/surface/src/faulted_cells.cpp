@@ -178,9 +178,14 @@ bool FaultedCells::isCrossed(const LatticeIndex& cell) const {
 
 std::array<std::uint64_t, 12> FaultedCells::crossings(const LatticeIndex& cell) const {
   std::array<std::uint64_t, 12> crossed{};
+  const EdgeBlock* of = nullptr;
   for (std::size_t e = 0; e < 12; ++e) {
-    const auto found = crossing_.find(edgeKey(cell + cube::kCorner[static_cast<std::size_t>(cube::kEdgeLow[e])], cube::kEdgeAxis[e]));
-    crossed[e] = found == crossing_.end() ? 0 : found->second;
+    const LatticeIndex low = cell + cube::kCorner[static_cast<std::size_t>(cube::kEdgeLow[e])];
+    const auto axis = static_cast<std::size_t>(cube::kEdgeAxis[e]);
+    if (of == nullptr || !(of->at == block::blockOf(low)))
+      of = &blocks_[static_cast<std::size_t>(block_.find(latticeKey(block::blockOf(low))))];
+    if ((of->crossed[axis] & block::bit(block::slotOf(low))) != 0)
+      crossed[e] = crossing_.at(edgeKey(low, cube::kEdgeAxis[e]));
   }
   return crossed;
 }

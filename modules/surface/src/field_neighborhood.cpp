@@ -40,7 +40,7 @@ void NearbyPicks::gather(const FieldData& data, const Bounds& places, double rea
 
 double NearbyPicks::reachAt(const Vector3& v) const { return reach_ + (v - box_.low).cwiseMin(box_.high - v).minCoeff(); }
 
-/// The picks with a plane in the box grown by the reach, and perhaps some on its very edge outside.
+/// The picks in the box grown by the reach, and perhaps some on its very edge outside.
 void NearbyPicks::collect(const FieldData& data) {
   data.grid.runsAround(box_, reach_, runs_);
   std::size_t most = 0;
@@ -51,26 +51,24 @@ void NearbyPicks::collect(const FieldData& data) {
   index_.resize(std::max(most, index_.size()));
   const double cx = centre_.x(), cy = centre_.y(), cz = centre_.z(), scale = scale_;
   const Eigen::Vector3f limit = ((0.5 * box_.size().array() + reach_) * scale + 1e-5).matrix().cast<float>(); // by more than the rounding
-  const Vector3* normals = data.planes.normals.data();
   float *x = near_x_.data(), *y = near_y_.data(), *z = near_z_.data();
   Index* indices = index_.data();
   std::size_t count = 0;
   for (const PointRun& run : runs_)
     for (std::size_t i = 0; i < run.count; ++i) {
       const Vector3& p = run.points[i];
-      const Index index = run.index(i);
-      const double normal_x = normals[index].x();
       const auto dx = static_cast<float>((p.x() - cx) * scale);
       const auto dy = static_cast<float>((p.y() - cy) * scale);
       const auto dz = static_cast<float>((p.z() - cz) * scale);
       x[count] = dx;
       y[count] = dy;
       z[count] = dz;
-      indices[count] = index;
-      count += (std::abs(dx) <= limit.x()) & (std::abs(dy) <= limit.y()) & (std::abs(dz) <= limit.z()) & (normal_x == normal_x) ? 1 : 0;
+      indices[count] = run.index(i);
+      count += (std::abs(dx) <= limit.x()) & (std::abs(dy) <= limit.y()) & (std::abs(dz) <= limit.z()) ? 1 : 0;
     }
   count_ = count;
   points_ = data.grid.points().data();
+  normals_ = data.planes.normals.data();
 }
 
 /// Puts the picks on the same sides of the faults together.
@@ -91,16 +89,24 @@ void NearbyPicks::findSides(const FieldData& data, const Bounds& viewpoints) {
     return;
   }
   sides_.resize(count_);
-  order_.resize(count_);
-  for (std::size_t i = 0; i < count_; ++i)
-    order_[i] = {faults_.sides(place(i)), static_cast<std::uint32_t>(i)};
-  std::sort(order_.begin(), order_.end());
   for (std::size_t i = 0; i < count_; ++i) {
-    sides_[i] = order_[i].first;
-    if (i == 0 || sides_[i] != sides_[i - 1])
-      groups_.push_back({sides_[i], i, 0});
-    ++groups_.back().count;
+    sides_[i] = faults_.sides(place(i));
+    const auto group = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.sides == sides_[i]; });
+    if (group == groups_.end())
+      groups_.push_back({sides_[i], 0, 1});
+    else
+      ++group->count;
   }
+  std::sort(groups_.begin(), groups_.end(), [](const Group& a, const Group& b) { return a.sides < b.sides; });
+  order_.resize(count_);
+  std::size_t first = 0;
+  for (Group& group : groups_) {
+    group.first = first;
+    for (std::size_t i = 0; i < count_; ++i)
+      if (sides_[i] == group.sides)
+        order_[first++] = static_cast<std::uint32_t>(i);
+  }
+  permute(sides_);
   permute(near_x_);
   permute(near_y_);
   permute(near_z_);
@@ -112,7 +118,7 @@ void NearbyPicks::permute(std::vector<Value>& values) const {
   static thread_local std::vector<Value> before;
   before.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count_));
   for (std::size_t i = 0; i < count_; ++i)
-    values[i] = before[order_[i].second];
+    values[i] = before[order_[i]];
 }
 
 /// No farther than the nearest of the last question, if they are visible from here.
@@ -167,7 +173,7 @@ void NearbyPicks::nearest(const Vector3& v, const Vector3& viewpoint, std::size_
       continue;
     const bool visible = faults_.empty() || (exact || sides_[pick] == LocalFaults::kUncertain ? faults_.sameSide(place(pick), viewpoint)
                                                                                               : sides_[pick] == sides);
-    if (visible)
+    if (visible && hasPlane(index_[pick]))
       take(pick, wanted);
   }
   out.clear();
@@ -177,6 +183,7 @@ void NearbyPicks::nearest(const Vector3& v, const Vector3& viewpoint, std::size_
 
 void NearbyPicks::lookAround(const Vector3* places, const Vector3* viewpoints, std::size_t count) {
   places_ = places;
+  place_count_ = count;
   looked_around_ = 0;
   if (!gathered())
     return;
@@ -206,14 +213,49 @@ void NearbyPicks::lookAround(const Vector3* places, const Vector3* viewpoints, s
   }
 }
 
-bool NearbyPicks::nearestOf(std::size_t place, std::size_t wanted, double reach, std::vector<Neighbor>& out) const {
+/// Whether no pick of a group, but for those found, is nearer in truth than some distance. \param[in] left_out key of the first of them, see NearestBatch
+bool NearbyPicks::noneNearer(const Group& group, float left_out, double squared_distance) const {
   constexpr double rounding = 1.0 / (1 << 18);
+  return group.count <= NearestBatch::kKept || squared_distance * scale_ * scale_ + rounding < static_cast<double>(NearestBatch::least(left_out));
+}
+
+unsigned NearbyPicks::nearestOfAll(std::size_t wanted, const double* reaches, PlaneBlend& blend) const {
+  unsigned full = 0;
+  for (std::size_t p = 0; p < place_count_; ++p) {
+    if ((looked_around_ & (1U << p)) == 0 || group_[p]->count < PlaneBlend::kPicks)
+      continue;
+    full |= 1U << p;
+    for (int axis = 0; axis < 3; ++axis)
+      blend.place[axis][p] = places_[p][axis];
+    for (std::size_t k = 0; k < PlaneBlend::kPicks; ++k) {
+      const std::size_t i = group_[p]->first + NearestBatch::number(found_[p][k]);
+      blend.index[k][p] = index_[i];
+      for (int axis = 0; axis < 3; ++axis)
+        blend.pick[k][axis][p] = place(i)[axis];
+    }
+  }
+  measure(blend);
+  unsigned sure = 0;
+  for (std::size_t p = 0; p < place_count_; ++p) {
+    const double farthest = blend.squared[wanted - 1][p];
+    bool found = (full & (1U << p)) != 0 && blend.least_step[p] > 0.0 && farthest <= reaches[p] * reaches[p] &&
+                 noneNearer(*group_[p], found_[p][NearestBatch::kKept - 1], farthest);
+    for (std::size_t k = 0; k < wanted && found; ++k)
+      found = hasPlane(blend.index[k][p]);
+    sure |= found ? 1U << p : 0;
+  }
+  return sure;
+}
+
+bool NearbyPicks::nearestOf(std::size_t place, std::size_t wanted, double reach, std::vector<Neighbor>& out) const {
   if ((looked_around_ & (1U << place)) == 0 || wanted >= NearestBatch::kKept)
     return false;
   const Group& group = *group_[place];
   out.clear();
   for (std::size_t k = 0; k < std::min(group.count, NearestBatch::kKept); ++k) {
     const std::size_t i = group.first + NearestBatch::number(found_[place][k]);
+    if (!hasPlane(index_[i]))
+      return false;
     const Neighbor found{index_[i], squaredDistance(i, places_[place])};
     if (!(found.squared_distance <= reach * reach))
       continue;
@@ -225,10 +267,7 @@ bool NearbyPicks::nearestOf(std::size_t place, std::size_t wanted, double reach,
   }
   if (out.size() > wanted)
     out.resize(wanted);
-  // None of those left out may be nearer in truth.
-  const double farthest = out.size() == wanted ? out.back().squared_distance : reach * reach;
-  return group.count <= NearestBatch::kKept ||
-         farthest * scale_ * scale_ + rounding < static_cast<double>(NearestBatch::least(found_[place][NearestBatch::kKept - 1]));
+  return noneNearer(group, found_[place][NearestBatch::kKept - 1], out.size() == wanted ? out.back().squared_distance : reach * reach);
 }
 
 } // namespace graben

@@ -228,6 +228,12 @@ void SignedDistance::valuesOf(const Vector3* places, const Vector3* viewpoints, 
   FieldNeighborhood& around = *scratch.around;
   const std::size_t wanted = options_.blend + 1;
   around.near.lookAround(places, viewpoints, count);
+  std::array<double, NearestBatch::kPlaces> reaches{};
+  for (std::size_t i = 0; i < count; ++i)
+    reaches[i] = sureReach(places[i], around);
+  unsigned done = blendTogether(reaches.data(), around.near, around.blend, values);
+  if (around.near.faults().empty())
+    done |= blendWider(places, viewpoints, count, done, scratch, values);
   bool looked_far = false;
   const auto lookFar = [&](std::size_t i) {
     if (!looked_far) {
@@ -238,13 +244,66 @@ void SignedDistance::valuesOf(const Vector3* places, const Vector3* viewpoints, 
     return around.far.nearestOf(i, wanted, query_radius_, scratch.visible);
   };
   for (std::size_t i = 0; i < count; ++i) {
-    const double reach = sureReach(places[i], around);
-    if (!around.near.nearestOf(i, wanted, reach, scratch.visible))
+    if ((done & (1U << i)) != 0)
+      continue;
+    if (!around.near.nearestOf(i, wanted, reaches[i], scratch.visible))
       findVisible(places[i], viewpoints[i], scratch);
-    else if (!enough(scratch.visible, reach) && (around.near.faults().empty() || !lookFar(i)))
+    else if (!enough(scratch.visible, reaches[i]) && (around.near.faults().empty() || !lookFar(i)))
       findVisibleInGrid(places[i], viewpoints[i], scratch);
     values[i] = valueOf(places[i], viewpoints[i], scratch);
   }
+}
+
+/// The values at those of the places looked around where nothing stands against it: all the picks within reach, and the field's foot near the first.
+/// \return bit i: values[i] is one of them
+unsigned SignedDistance::blendTogether(const double* reaches, const NearbyPicks& near, PlaneBlend& blend, FieldValue* values) const {
+  const std::size_t planes = options_.blend;
+  if (planes < 2 || planes > PlaneBlend::kMostPlanes || !near.gathered())
+    return 0;
+  unsigned done = near.nearestOfAll(planes + 1, reaches, blend);
+  for (std::size_t i = 0; i < NearestBatch::kPlaces; ++i)
+    for (std::size_t k = 0; k < planes && (done & (1U << i)) != 0; ++k) {
+      const auto pick = static_cast<std::size_t>(blend.index[k][i]);
+      for (int axis = 0; axis < 3; ++axis) {
+        blend.centre[k][axis][i] = planes_.centres[pick][axis];
+        blend.normal[k][axis][i] = planes_.normals[pick][axis];
+      }
+    }
+  blendPlanes(blend, planes);
+  for (std::size_t i = 0; i < NearestBatch::kPlaces; ++i) {
+    if (!(blend.from_foot[i] <= options_.overhang))
+      done &= ~(1U << i);
+    if ((done & (1U << i)) != 0)
+      values[i] = {blend.value[i], blend.index[0][i]};
+  }
+  return done;
+}
+
+/// The same where the picks gathered may not be the nearest ones: they tell how far these are at most.
+/// \param[in] done bit i: values[i] is known already
+unsigned SignedDistance::blendWider(const Vector3* places, const Vector3* viewpoints, std::size_t count, unsigned done, Scratch& scratch,
+                                    FieldValue* values) const {
+  FieldNeighborhood& around = *scratch.around;
+  const std::size_t wanted = options_.blend + 1;
+  std::array<double, NearestBatch::kPlaces> reaches{};
+  Bounds box;
+  double reach = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((done & (1U << i)) != 0)
+      continue;
+    scratch.visible.clear();
+    around.near.nearestOf(i, wanted, query_radius_, scratch.visible);
+    if (scratch.visible.size() < wanted)
+      continue;
+    box.extend(places[i]);
+    reaches[i] = 1.000001 * std::sqrt(scratch.visible.back().squared_distance);
+    reach = std::max(reach, reaches[i]);
+  }
+  if (box.empty() || reach > query_radius_)
+    return 0;
+  around.wider.gather(data(), box, reach, grown(box, kViewpoint * options_.voxel_size));
+  around.wider.lookAround(places, viewpoints, count);
+  return blendTogether(reaches.data(), around.wider, around.blend, values);
 }
 
 /// The field from the picks found to be visible.

@@ -12,6 +12,8 @@ namespace graben {
 class FaultBorders;
 struct FieldData;
 struct FieldNeighborhood;
+struct PlaneBlend;
+class NearbyPicks;
 
 struct SignedDistanceOptions {
   double rho_plus_delta = 0.0; ///< the field is undefined where its foot lies farther than this from the data (Hoppe 1992, section 3.4)
@@ -78,6 +80,8 @@ private:
   bool carriedToFault(const Vector3& foot, double near, Scratch& scratch) const;
   FieldValue valueOf(const Vector3& v, const Vector3& viewpoint, Scratch& scratch) const;
   void valuesOf(const Vector3* places, const Vector3* viewpoints, std::size_t count, Scratch& scratch, FieldValue* values) const;
+  unsigned blendTogether(const double* reaches, const NearbyPicks& near, PlaneBlend& blend, FieldValue* values) const;
+  unsigned blendWider(const Vector3* places, const Vector3* viewpoints, std::size_t count, unsigned done, Scratch& scratch, FieldValue* values) const;
   void gatherFar(FieldNeighborhood& around) const;
   double sureReach(const Vector3& v, const FieldNeighborhood& around) const;
   bool enough(const std::vector<Neighbor>& visible, double reach) const;
