@@ -33,6 +33,7 @@ public:
     points_.y[count_] = y;
     points_.z[count_] = z;
     ++count_;
+    rough_ = false;
   }
 
   /// Finds the \a wanted nearest points to a place (x, y, z), among equally far ones those added first; points at the very place do not count.
@@ -43,20 +44,25 @@ public:
   /// The number of one of those found, which follow each other as they were added.
   std::size_t found(std::size_t i) const { return numbers_[i]; }
   /// Of the points found about the place.
-  Moments foundMoments(const double* place);
+  Moments foundMoments() { return vectors_.moments(found_); }
 
 private:
   void grow();
-  std::size_t findWithin(const double* place, double squared_radius);
-  void keepUpTo(double threshold, std::size_t within);
-  void keepFirstUpTo(double threshold, std::size_t within);
+  void makeRough();
+  std::size_t findRoughly(const double* place, double squared_radius);
+  template <typename Keeps>
+  void keep(std::size_t count, const Keeps& keeps);
+  void keepBySorting(std::size_t count);
 
   std::size_t count_ = 0, capacity_ = 0, found_ = 0;
-  VectorArrays points_, vectors_;
-  std::vector<double> distance_;       ///< of each point, squared; infinite for one at the very place
-  std::vector<std::uint64_t> within_;  ///< a bit for each point: it is within the radius
-  std::vector<double> near_;           ///< of the points within the radius
-  std::vector<std::uint32_t> numbers_; ///< of those points, then of those found
+  VectorArrays points_;
+  std::vector<float> rough_x_, rough_y_, rough_z_; ///< of the points from the first of them on
+  bool rough_ = false;                             ///< they are set
+  double extent_ = 0.0;                            ///< largest of them
+  std::vector<std::uint32_t> numbers_;             ///< of the points that may be within the radius, then of those found
+  VectorArrays vectors_;                           ///< from the place to these points
+  std::vector<double> squared_;                    ///< lengths of these vectors
+  std::vector<std::int16_t> grades_, ranks_;       ///< of these lengths
   std::vector<double> ranked_;
 };
 

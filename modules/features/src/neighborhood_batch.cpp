@@ -144,7 +144,7 @@ void NeighborhoodBatch::search(const Index* picks) {
       open_[left++] = i;
       continue;
     }
-    moments_[i] = nearby_.foundMoments(pick.data());
+    moments_[i] = nearby_.foundMoments();
     simple_[i] = (moments_[i].farthest < squared_step_ || allJoin(pick)) && !(near_fault_ && crossesFault(pick));
   }
   open_.resize(left);

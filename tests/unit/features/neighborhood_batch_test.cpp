@@ -74,7 +74,7 @@ TEST(NearbyPoints, MomentsAreSumsOverTheVectors) {
     nearby.add(p.x(), p.y(), p.z());
   for (std::size_t wanted = 1; wanted < points.size(); ++wanted) {
     ASSERT_TRUE(nearby.findNearest(points[5].data(), wanted, 1e9));
-    const Moments m = nearby.foundMoments(points[5].data());
+    const Moments m = nearby.foundMoments();
     Vector3 first = Vector3::Zero();
     Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
     double farthest = 0.0;
