@@ -18,6 +18,11 @@ struct VectorLanes {
   LaneMask clear;
 };
 
+/// Makes the other values 0.
+inline void keepWhere(const LaneMask& mask, Lanes& values) {
+  values = reinterpret_cast<Lanes>(reinterpret_cast<LaneMask>(values) & mask);
+}
+
 /// The algorithm of leastEigenvectors() for four of them.
 GRABEN_AVX2_CLONE
 void solve(const MatrixLanes& m, VectorLanes& out) {
@@ -25,6 +30,7 @@ void solve(const MatrixLanes& m, VectorLanes& out) {
   const Lanes determinant =
       m.xx * (m.yy * m.zz - m.zy * m.zy) - m.yx * (m.yx * m.zz - m.zy * m.zx) + m.zx * (m.yx * m.zy - m.yy * m.zx);
   const Lanes sum = m.xx + m.yy + m.zz, sum2 = sum * sum;
+  const Lanes finest = 1e-16 * sum;
   LaneMask clear = minors > 2e-4 * sum2; // the product of the others over their squared sum
   // Newton's steps from 0 grow towards the least root of the characteristic polynomial and never beyond it.
   Lanes least = {};
@@ -32,9 +38,10 @@ void solve(const MatrixLanes& m, VectorLanes& out) {
   for (int step = 0; step < 8 && (open[0] | open[1] | open[2] | open[3]) != 0; ++step) {
     const Lanes value = determinant - least * (minors - least * (sum - least));
     const Lanes slope = minors - least * (2.0 * sum - 3.0 * least);
-    const Lanes change = open ? value / slope : Lanes{};
+    Lanes change = value / slope;
+    keepWhere(open, change);
     least += change;
-    open &= (change > 1e-16 * sum) | (change < -1e-16 * sum);
+    open &= (change > finest) | (change < -finest);
   }
   clear &= (8.0 * least < sum) & (least > -1e-12 * sum);
   const Lanes a = m.xx - least, b = m.yy - least, c = m.zz - least;
@@ -53,8 +60,8 @@ void solve(const MatrixLanes& m, VectorLanes& out) {
   out.x = (xy_most ? xy_x : xz_most ? xz_x : yz_x) / length;
   out.y = (xy_most ? xy_y : xz_most ? xz_y : yz_y) / length;
   out.z = (xy_most ? xy_z : xz_most ? xz_z : yz_z) / length;
-  const Lanes share = least / sum;
-  out.share = share > 0.0 ? share : Lanes{};
+  out.share = least / sum;
+  keepWhere(out.share > 0.0, out.share);
 }
 
 } // namespace

@@ -19,6 +19,13 @@ constexpr double ROUGHNESS = 4e-6;
 /// Points that are ranked among each other; more than these are sorted.
 constexpr std::size_t MOST_RANKED = 128;
 
+/// The sums of the numbers of each.
+inline void total(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d, Lanes& sums) {
+  const Lanes ab = __builtin_shuffle(a, b, LaneMask{0, 4, 2, 6}) + __builtin_shuffle(a, b, LaneMask{1, 5, 3, 7});
+  const Lanes cd = __builtin_shuffle(c, d, LaneMask{0, 4, 2, 6}) + __builtin_shuffle(c, d, LaneMask{1, 5, 3, 7});
+  sums = __builtin_shuffle(ab, cd, LaneMask{0, 1, 4, 5}) + __builtin_shuffle(ab, cd, LaneMask{2, 3, 6, 7});
+}
+
 /// The moments of vectors; beyond the count they must be 0 up to a full set of lanes.
 GRABEN_AVX2_CLONE
 void sumUp(const double* dx, const double* dy, const double* dz, std::size_t count, Moments& out) {
@@ -38,15 +45,12 @@ void sumUp(const double* dx, const double* dy, const double* dz, std::size_t cou
     zy += vz * vy;
     farthest = squared > farthest ? squared : farthest;
   }
-  const auto total = [](const Lanes& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); };
-  out = {total(x), total(y), total(z), total(xx), total(yx), total(zx), total(yy), total(zy), total(zz),
+  Lanes first, second;
+  total(x, y, z, xx, first);
+  total(yx, zx, yy, zy, second);
+  out = {first[0], first[1], first[2], first[3], second[0], second[1], second[2], second[3], (zz[0] + zz[1]) + (zz[2] + zz[3]),
          std::max(std::max(farthest[0], farthest[1]), std::max(farthest[2], farthest[3]))};
 }
-
-struct Threshold {
-  double value;
-  bool tied; ///< more values than wanted may not exceed it, as some are equal to it
-};
 
 } // namespace
 

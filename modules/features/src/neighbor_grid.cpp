@@ -12,9 +12,10 @@ namespace {
 using detail::Block;
 using detail::closer;
 using detail::NeighborGridData;
+using detail::Superblock;
 
 const Points NO_POINTS;
-constexpr std::int64_t MAX_BLOCKS = 64; // visited by one query; beyond, the tree is faster
+constexpr std::size_t MAX_BLOCKS = 64; // visited by one query; beyond, the tree is faster
 constexpr std::size_t MANY = 4096, POINTS_A_BLOCK = 16; // points that a query may look at, and for how many of them it may visit one block more
 
 /// Cells that a cube around a query, or a box with a margin, overlaps.
@@ -32,38 +33,52 @@ struct CellRange {
       high[static_cast<std::size_t>(axis)] = lattice.cell(box.high[axis] + reach, axis);
     }
   }
-  std::int64_t blocks() const {
+  std::size_t blocks() const { return count(2); }
+  std::size_t superblocks() const { return count(4); }
+
+private:
+  /// Of cubes with an edge of 2^bits cells; no more than that of many along an axis.
+  std::size_t count(unsigned bits) const {
+    constexpr std::int64_t MANY_ALONG = 1 << 20;
     std::int64_t count = 1;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      count *= std::min<std::int64_t>((high[axis] >> 2) - (low[axis] >> 2) + 1, MAX_BLOCKS + 1);
-    return count;
+      count *= std::min((high[axis] >> bits) - (low[axis] >> bits) + 1, MANY_ALONG);
+    return static_cast<std::size_t>(count);
   }
 };
+
+/// Where a cell of 4 x 4 x 4 in their order is along an axis, 0 to 3.
+unsigned positionAlong(unsigned axis, unsigned cell) {
+  return (cell >> axis & 1U) | (cell >> (axis + 2) & 2U);
+}
 
 /// For each axis and range of the 4 cells along it, the cells of a block within.
 struct BlockMasks {
   std::uint64_t of[3][4][4] = {};
   BlockMasks() {
-    for (unsigned cell = 0; cell < 64; ++cell) {
-      const unsigned position[3] = {(cell & 1U) | (cell >> 2 & 2U),
-                                    (cell >> 1 & 1U) | (cell >> 3 & 2U),
-                                    (cell >> 2 & 1U) | (cell >> 4 & 2U)};
+    for (unsigned cell = 0; cell < 64; ++cell)
       for (unsigned axis = 0; axis < 3; ++axis)
-        for (unsigned low = 0; low <= position[axis]; ++low)
-          for (unsigned high = position[axis]; high < 4; ++high)
+        for (unsigned low = 0; low <= positionAlong(axis, cell); ++low)
+          for (unsigned high = positionAlong(axis, cell); high < 4; ++high)
             of[axis][low][high] |= std::uint64_t(1) << cell;
-    }
   }
 };
 const BlockMasks MASKS;
 
-std::uint64_t axisMask(const CellRange& range, std::size_t axis, std::int64_t block) {
-  const std::int64_t low = std::max<std::int64_t>(range.low[axis] - 4 * block, 0);
-  const std::int64_t high = std::min<std::int64_t>(range.high[axis] - 4 * block, 3);
-  return MASKS.of[axis][low][high];
+/// Of 4 x 4 x 4 cells or blocks, those within a range along an axis. \param[in] first the first of the four
+std::uint64_t axisMask(std::int64_t low, std::int64_t high, std::size_t axis, std::int64_t first) {
+  return MASKS.of[axis][std::max<std::int64_t>(low - first, 0)][std::min<std::int64_t>(high - first, 3)];
 }
 
-/// Calls visit(first, end) for runs of points in the block's cells selected.
+std::uint64_t cellMask(const CellRange& range, std::size_t axis, std::int64_t block) {
+  return axisMask(range.low[axis], range.high[axis], axis, 4 * block);
+}
+
+std::uint64_t blockMask(const CellRange& range, std::size_t axis, std::int64_t superblock) {
+  return axisMask(range.low[axis] >> 2, range.high[axis] >> 2, axis, 4 * superblock);
+}
+
+/// Calls visit(first, end, may repeat) for runs of points in the block's cells selected.
 template <typename Visit>
 void visitRuns(const Block& block, std::uint64_t cells, const Visit& visit) {
   while (cells != 0) {
@@ -73,45 +88,115 @@ void visitRuns(const Block& block, std::uint64_t cells, const Visit& visit) {
         block.occupied & ~cells &
         from_here; // the next occupied cell that is not selected ends the run
     const unsigned end = unwanted == 0 ? 64U : static_cast<unsigned>(__builtin_ctzll(unwanted));
-    visit(std::size_t(block.first) + block.offset[cell],
-          std::size_t(block.first) + block.offset[end]);
+    visit(std::size_t(block.first) + block.offset[cell], std::size_t(block.first) + block.offset[end], block.may_repeat);
     if (end == 64)
       return;
     cells &= ~std::uint64_t(0) << end;
   }
 }
 
-/// Calls visit(first, end) for runs of points in the cells of the range. Returns false, with some
+/// The superblocks that one query comes upon time and again.
+class SuperblocksAround {
+public:
+  explicit SuperblocksAround(const NeighborGridData& data)
+      : data_(data) {}
+
+  const Superblock& at(std::uint64_t key) {
+    const Superblock*& last = last_[key & 7U];
+    if (last == nullptr || last->key != key)
+      last = &data_.findSuperblock(key);
+    return *last;
+  }
+
+private:
+  const NeighborGridData& data_;
+  std::array<const Superblock*, 8> last_{};
+};
+
+/// Calls visit(block, x) for the blocks of a row along x until it returns false; returns false then.
+template <typename Visit>
+bool visitRow(const NeighborGridData& data, const CellRange& range, std::int64_t y, std::int64_t z, SuperblocksAround& around, const Visit& visit) {
+  const std::uint64_t yz_key = detail::spreadBits(static_cast<std::uint64_t>(z >> 2)) << 2 | detail::spreadBits(static_cast<std::uint64_t>(y >> 2)) << 1;
+  const std::uint64_t row = axisMask(y, y, 1, y & ~std::int64_t(3)) & axisMask(z, z, 2, z & ~std::int64_t(3));
+  for (std::int64_t x = range.low[0] >> 4; x <= range.high[0] >> 4; ++x) {
+    const Superblock& superblock = around.at(yz_key | detail::spreadBits(static_cast<std::uint64_t>(x)));
+    for (std::uint64_t bits = superblock.occupied & row & blockMask(range, 0, x); bits != 0; bits &= bits - 1) {
+      const auto bit = static_cast<unsigned>(__builtin_ctzll(bits));
+      if (!visit(data.blockOf(superblock, bit), 4 * x + positionAlong(0, bit)))
+        return false;
+    }
+  }
+  return true;
+}
+
+/// Calls visit(first, end, may repeat) for runs of points in the cells of the range. Returns false, with some
 /// runs visited, if that would be too many points.
 template <typename Visit>
 bool visitRange(const NeighborGridData& data, const CellRange& range, std::size_t budget,
                 const Visit& visit) {
   bool within_budget = true;
-  const auto visitCounted = [&](std::size_t first, std::size_t end) {
+  const auto visitCounted = [&](std::size_t first, std::size_t end, bool may_repeat) {
     within_budget = within_budget && end - first <= budget;
     if (!within_budget)
       return;
     budget -= end - first;
-    visit(first, end);
+    visit(first, end, may_repeat);
   };
+  SuperblocksAround around(data);
   for (std::int64_t z = range.low[2] >> 2; z <= range.high[2] >> 2; ++z) {
-    const std::uint64_t z_mask = axisMask(range, 2, z),
-                        z_key = detail::spreadBits(static_cast<std::uint64_t>(z)) << 2;
+    const std::uint64_t z_mask = cellMask(range, 2, z);
     for (std::int64_t y = range.low[1] >> 2; y <= range.high[1] >> 2; ++y) {
-      const std::uint64_t yz_mask = z_mask & axisMask(range, 1, y);
-      const std::uint64_t yz_key = z_key | detail::spreadBits(static_cast<std::uint64_t>(y)) << 1;
-      for (std::int64_t x = range.low[0] >> 2; x <= range.high[0] >> 2; ++x) {
-        const Block* block =
-            data.findBlock(yz_key | detail::spreadBits(static_cast<std::uint64_t>(x)));
-        if (block == nullptr)
-          continue;
-        if (block->crowded())
+      const std::uint64_t yz_mask = z_mask & cellMask(range, 1, y);
+      const bool walked = visitRow(data, range, y, z, around, [&](const Block& block, std::int64_t x) {
+        if (block.crowded())
           return false;
-        visitRuns(*block, block->occupied & yz_mask & axisMask(range, 0, x), visitCounted);
-      }
+        visitRuns(block, block.occupied & yz_mask & cellMask(range, 0, x), visitCounted);
+        return within_budget;
+      });
+      if (!walked)
+        return false;
     }
   }
-  return within_budget;
+  return true;
+}
+
+/// Calls visit(first, end, may repeat) for runs of points in the cells of the range, in the points' order. Returns false, with some runs visited, if the tree
+/// would do better.
+template <typename Visit>
+bool visitInOrder(const NeighborGridData& data, const CellRange& range, const Visit& visit) {
+  constexpr std::size_t MOST = 512;
+  struct Place {
+    const Superblock* superblock;
+    std::array<std::int64_t, 3> at;
+  };
+  static thread_local std::vector<Place> places;
+  places.clear();
+  if (range.superblocks() > MOST)
+    return false;
+  for (std::int64_t z = range.low[2] >> 4; z <= range.high[2] >> 4; ++z)
+    for (std::int64_t y = range.low[1] >> 4; y <= range.high[1] >> 4; ++y)
+      for (std::int64_t x = range.low[0] >> 4; x <= range.high[0] >> 4; ++x) {
+        const std::uint64_t key =
+            detail::mortonKey(static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(y), static_cast<std::uint64_t>(z));
+        const Superblock& superblock = data.findSuperblock(key);
+        if (superblock.occupied != 0)
+          places.push_back({&superblock, {x, y, z}});
+      }
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.superblock->first < b.superblock->first; });
+  for (const auto& [superblock, at] : places) {
+    std::uint64_t bits = superblock->occupied & blockMask(range, 0, at[0]) & blockMask(range, 1, at[1]) & blockMask(range, 2, at[2]);
+    for (; bits != 0; bits &= bits - 1) {
+      const auto bit = static_cast<unsigned>(__builtin_ctzll(bits));
+      const Block& block = data.blockOf(*superblock, bit);
+      if (block.crowded())
+        return false;
+      std::uint64_t cells = block.occupied;
+      for (unsigned axis = 0; axis < 3; ++axis)
+        cells &= cellMask(range, axis, 4 * at[axis] + positionAlong(axis, bit));
+      visitRuns(block, cells, visit);
+    }
+  }
+  return true;
 }
 
 /// Working memory of a query, kept by each thread.
@@ -136,9 +221,9 @@ bool gather(const NeighborGridData& data, const Vector3& query, double limit, st
   const CellRange range(data.lattice, query, std::sqrt(limit));
   const double x = query.x(), y = query.y(), z = query.z();
   out.count = 0;
-  if (range.blocks() > MAX_BLOCKS + static_cast<std::int64_t>(std::min<std::size_t>(budget, MANY) / POINTS_A_BLOCK))
+  if (range.blocks() > MAX_BLOCKS + std::min(budget, MANY) / POINTS_A_BLOCK)
     return false;
-  return visitRange(data, range, budget, [&](std::size_t first, std::size_t end) {
+  return visitRange(data, range, budget, [&](std::size_t first, std::size_t end, bool) {
     out.makeRoomFor(end - first);
     double* squared_distances = out.squared_distance.data();
     std::uint32_t* positions = out.position.data();
@@ -322,24 +407,29 @@ void NeighborGrid::runsAround(const Bounds& box, double radius, std::vector<Poin
   if (size() == 0 || box.empty() || !box.low.allFinite() || !box.high.allFinite() || !(radius >= 0.0))
     return;
   const detail::OrderedPoints& ordered = data_->ordered;
-  const auto add = [&](std::size_t first, std::size_t end) {
-    runs.push_back({ordered.points + first, end - first, ordered.indices == nullptr ? nullptr : ordered.indices + first, static_cast<Index>(first)});
+  const auto add = [&](std::size_t first, std::size_t end, bool may_repeat) {
+    runs.push_back({ordered.points + first, end - first, ordered.indices == nullptr ? nullptr : ordered.indices + first, static_cast<Index>(first),
+                    may_repeat});
   };
   const CellRange range(data_->lattice, box, radius);
   if (range.blocks() <= MAX_BLOCKS && visitRange(*data_, range, std::numeric_limits<std::size_t>::max(), add))
     return;
-  runs.clear();
-  std::size_t first = 0, end = 0;
-  data_->tree.visitLeaves(ordered.count, box, radius * radius, [&](std::size_t leaf_first, std::size_t leaf_end) {
-    if (leaf_first != end) {
-      if (end > first)
-        add(first, end);
-      first = leaf_first;
+  std::size_t last = ordered.count;
+  const auto addOrLengthen = [&](std::size_t first, std::size_t end, bool may_repeat) {
+    if (first == last) {
+      runs.back().count += end - first;
+      runs.back().may_repeat |= may_repeat;
+    } else {
+      add(first, end, may_repeat);
     }
-    end = leaf_end;
-  });
-  if (end > first)
-    add(first, end);
+    last = end;
+  };
+  runs.clear();
+  if (visitInOrder(*data_, range, addOrLengthen))
+    return;
+  runs.clear();
+  last = ordered.count;
+  data_->tree.visitLeaves(ordered.count, box, radius * radius, [&](std::size_t first, std::size_t end) { addOrLengthen(first, end, true); });
 }
 
 void NeighborGrid::collectWithin(const Vector3& query, double radius, PointsAround& out) const {
@@ -384,7 +474,7 @@ Neighbor NeighborGrid::nearestOne(const Vector3& query, double max_distance) con
     const CellRange range(data.lattice, query, std::sqrt(std::min(squared, limit)));
     const bool done =
         range.blocks() <= MAX_BLOCKS &&
-        visitRange(data, range, 1024, [&](std::size_t first, std::size_t end) {
+        visitRange(data, range, 1024, [&](std::size_t first, std::size_t end, bool) {
           for (std::size_t i = first; i < end; ++i) {
             const Neighbor candidate{data.ordered.indexOf(i), data.ordered.squaredDistance(i, query)};
             if (closer(candidate, best))

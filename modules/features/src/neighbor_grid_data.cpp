@@ -134,22 +134,44 @@ void NeighborGridData::buildBlocks(const std::vector<std::uint64_t>& keys, unsig
       end = *first;
     }
   parallelFor(blocks.size(), 256, threads, [&](std::size_t b) {
-    if (!blocks[b].crowded())
-      fillOffsets(blocks[b], keys.data(), lattice);
+    if (blocks[b].crowded())
+      return;
+    fillOffsets(blocks[b], keys.data(), lattice);
+    blocks[b].may_repeat = mayRepeat(blocks[b], keys.data());
   });
 }
 
+/// Points at one place have the same key, so that only those between them in the order need to be looked at.
+bool NeighborGridData::mayRepeat(const Block& block, const std::uint64_t* keys) const {
+  constexpr std::uint32_t MOST = 16; // of the same key; more count as repeating
+  const std::uint32_t end = block.first + block.count;
+  for (std::uint32_t i = block.first; i < end; ++i)
+    for (std::uint32_t other = i + 1; other < end && keys[other] == keys[i]; ++other)
+      if (other - i > MOST || ordered.points[other] == ordered.points[i])
+        return true;
+  return false;
+}
+
 void NeighborGridData::buildTable() {
+  std::size_t count = 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    count += b == 0 || blocks[b].key >> 6 != blocks[b - 1].key >> 6 ? 1 : 0;
   unsigned bits = 2;
-  while ((std::size_t(1) << bits) < 2 * blocks.size())
+  while ((std::size_t(1) << bits) < 2 * count)
     ++bits;
   table_shift = 64 - bits;
-  table.assign(std::size_t(1) << bits, -1);
+  superblocks.assign(std::size_t(1) << bits, {});
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    std::size_t slot = slotOf(blocks[b].key);
-    while (table[slot] >= 0)
-      slot = (slot + 1) & (table.size() - 1);
-    table[slot] = static_cast<std::int32_t>(b);
+    const std::uint64_t key = blocks[b].key >> 6;
+    std::size_t slot = slotOf(key);
+    while (superblocks[slot].occupied != 0 && superblocks[slot].key != key)
+      slot = (slot + 1) & (superblocks.size() - 1);
+    Superblock& superblock = superblocks[slot];
+    if (superblock.occupied == 0) {
+      superblock.key = key;
+      superblock.first = static_cast<std::uint32_t>(b);
+    }
+    superblock.occupied |= std::uint64_t(1) << (blocks[b].key & 63U);
   }
 }
 

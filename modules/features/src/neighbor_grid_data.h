@@ -16,17 +16,24 @@ struct Block {
   std::uint32_t count = 0;
   std::array<std::uint16_t, 65>
       offset{}; ///< of each cell's first point from the block's first; not set in a crowded block
+  bool may_repeat = true; ///< false: all its points are at different places
 
   static constexpr std::uint32_t CROWDED = 4096;
   bool crowded() const { return count > CROWDED; }
 };
 
+/// 4 x 4 x 4 blocks.
+struct Superblock {
+  std::uint64_t key = ~std::uint64_t(0);
+  std::uint64_t occupied = 0; ///< bit b: block b holds points
+  std::uint32_t first = 0;    ///< position of the first of these blocks, which follow each other
+};
+
 struct NeighborGridData {
   CellLattice lattice;
   OrderedPoints ordered; ///< with points that are not finite among them where the caller's are in order
-  std::vector<Block> blocks;
-  std::vector<std::int32_t>
-      table; ///< open-addressing hash: block key -> position in blocks, -1 where free
+  std::vector<Block> blocks;           ///< by their keys
+  std::vector<Superblock> superblocks; ///< open-addressing hash by key; occupied is 0 where free
   unsigned table_shift = 63;
   PointTree tree;
 
@@ -34,15 +41,25 @@ struct NeighborGridData {
   /// order themselves, as ordered refers to them
   std::vector<Index> build(const Points& points, unsigned threads);
 
+  /// One that holds no block where there is none of that key.
+  const Superblock& findSuperblock(std::uint64_t key) const {
+    std::size_t slot = slotOf(key);
+    while (superblocks[slot].occupied != 0 && superblocks[slot].key != key)
+      slot = (slot + 1) & (superblocks.size() - 1);
+    return superblocks[slot];
+  }
+  /// \param[in] bit one that is set in the superblock
+  const Block& blockOf(const Superblock& superblock, unsigned bit) const {
+    const std::uint64_t before = superblock.occupied & ((std::uint64_t(1) << bit) - 1);
+    return blocks[superblock.first + static_cast<std::size_t>(__builtin_popcountll(before))];
+  }
+  /// Null where there is none.
   const Block* findBlock(std::uint64_t key) const {
     if (blocks.empty())
       return nullptr;
-    for (std::size_t slot = slotOf(key);; slot = (slot + 1) & (table.size() - 1)) {
-      if (table[slot] < 0)
-        return nullptr;
-      if (blocks[static_cast<std::size_t>(table[slot])].key == key)
-        return &blocks[static_cast<std::size_t>(table[slot])];
-    }
+    const Superblock& superblock = findSuperblock(key >> 6);
+    const auto bit = static_cast<unsigned>(key & 63U);
+    return (superblock.occupied >> bit & 1U) != 0 ? &blockOf(superblock, bit) : nullptr;
   }
 
 private:
@@ -50,6 +67,7 @@ private:
     return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> table_shift);
   }
   void buildBlocks(const std::vector<std::uint64_t>& keys, unsigned threads);
+  bool mayRepeat(const Block& block, const std::uint64_t* keys) const;
   void buildTable();
 };
 

@@ -9,7 +9,7 @@ namespace graben::detail {
 namespace {
 
 constexpr std::size_t MOST_PICKS = 64;
-constexpr double WIDTH = 4.0;    // of the picks' box, in cells     // of the picks' box, in cells
+constexpr double WIDTH = 4.0;    // of the picks' box, in cells
 constexpr double MARGIN = 1.06;   // of the radius over the neighbourhoods of the picks before
 constexpr double WIDER = 1.4;     // where it was too small
 constexpr int ATTEMPTS = 3;
@@ -87,51 +87,53 @@ bool NeighborhoodBatch::gather(const Bounds& box) {
   if (grid_.inOrder())
     std::sort(runs_.begin(), runs_.end(), [](const PointRun& a, const PointRun& b) { return a.first < b.first; });
   std::size_t most = 0;
-  for (const PointRun& run : runs_)
+  bool may_repeat = false;
+  for (const PointRun& run : runs_) {
     most += run.count;
+    may_repeat = may_repeat || run.may_repeat;
+  }
   if (most > MOST_AROUND * (wanted_ + MOST_PICKS))
     return false;
   around_.resize(most);
-  const double limit = radius_ * radius_;
   std::size_t count = 0;
   for (const PointRun& run : runs_)
     for (std::size_t i = 0; i < run.count; ++i) {
-      const Vector3 d = (box.low - run.points[i]).cwiseMax(run.points[i] - box.high).cwiseMax(0.0);
-      around_[count] = run.index(i);
-      count += d.x() * d.x() + d.y() * d.y() + d.z() * d.z() <= limit ? 1 : 0;
+      around_[count++] = run.index(i);
     }
   around_.resize(count);
   if (!grid_.inOrder())
     std::sort(around_.begin(), around_.end());
+  if (!measured_.empty() && std::any_of(around_.begin(), around_.end(), [&](Index i) { return measured_.has(i); }))
+    return false;
+  if (may_repeat)
+    leaveOutRepeated();
+  nearby_.clear();
+  for (const Index i : around_)
+    nearby_.add(pointOf(i).x(), pointOf(i).y(), pointOf(i).z());
   Bounds reached = box;
   reached.low.array() -= radius_;
   reached.high.array() += radius_;
   near_fault_ = !faults_.empty() && faults_.mayTouch(reached);
-  return addDistinct();
+  return true;
 }
 
-/// Of points at one place the first alone.
-bool NeighborhoodBatch::addDistinct() {
+/// Of the points around at one place keeps the first alone.
+void NeighborhoodBatch::leaveOutRepeated() {
   std::size_t slots = 64;
   while (slots < 2 * around_.size())
     slots *= 2;
-  places_.assign(slots, 0);
-  nearby_.clear();
-  distinct_.clear();
-  for (std::size_t i = 0; i < around_.size(); ++i) {
-    if (measured_.has(around_[i]))
-      return false;
-    const Vector3& p = pointOf(around_[i]);
+  places_.assign(slots, -1);
+  const auto repeats = [&](Index i) {
+    const Vector3& p = pointOf(i);
     std::size_t slot = hashOf(p) & (slots - 1);
-    while (places_[slot] != 0 && pointOf(around_[places_[slot] - 1]) != p)
+    while (places_[slot] >= 0 && pointOf(places_[slot]) != p)
       slot = (slot + 1) & (slots - 1);
-    if (places_[slot] != 0)
-      continue;
-    places_[slot] = static_cast<std::uint32_t>(i + 1);
-    nearby_.add(p.x(), p.y(), p.z());
-    distinct_.push_back(around_[i]);
-  }
-  return true;
+    const bool known = places_[slot] >= 0;
+    if (!known)
+      places_[slot] = i;
+    return known;
+  };
+  around_.erase(std::remove_if(around_.begin(), around_.end(), repeats), around_.end());
 }
 
 /// Leaves in open_ the picks that have too few points within the radius.
@@ -157,7 +159,7 @@ bool NeighborhoodBatch::allJoin(const Vector3& pick) {
   beyond_step_.resize(count);
   std::size_t within = 0, beyond = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const Index q = distinct_[nearby_.found(i)];
+    const Index q = around_[nearby_.found(i)];
     const bool joins = (pointOf(q) - pick).squaredNorm() < squared_step_;
     within_step_[within] = beyond_step_[beyond] = q;
     within += joins ? 1 : 0;
@@ -174,7 +176,7 @@ bool NeighborhoodBatch::crossesFault(const Vector3& pick) {
   found_.clear();
   Bounds box{pick, pick};
   for (std::size_t i = 0; i < nearby_.foundCount(); ++i) {
-    found_.push_back(pointOf(distinct_[nearby_.found(i)]));
+    found_.push_back(pointOf(around_[nearby_.found(i)]));
     box.extend(found_.back());
   }
   return faults_.mayTouch(box) && std::any_of(found_.begin(), found_.end(), [&](const Vector3& q) { return faults_.crosses(pick, q); });

@@ -23,7 +23,7 @@ public:
 
 private:
   bool gather(const Bounds& box);
-  bool addDistinct();
+  void leaveOutRepeated();
   void search(const Index* picks);
   bool allJoin(const Vector3& pick);
   bool crossesFault(const Vector3& pick);
@@ -45,9 +45,8 @@ private:
   Points found_;                                ///< neighbours of one pick
   std::vector<Index> within_step_, beyond_step_; ///< the same by their distance to it
   std::vector<PointRun> runs_;
-  std::vector<Index> around_;         ///< the points around, in the order of their indices
-  std::vector<Index> distinct_;       ///< those of them in nearby_
-  std::vector<std::uint32_t> places_; ///< hash table: 1 + position in around_
+  std::vector<Index> around_; ///< the points around, of which nearby_ holds the places, in the order of their indices
+  std::vector<Index> places_; ///< hash table of points; -1 where free
 };
 
 } // namespace graben::detail

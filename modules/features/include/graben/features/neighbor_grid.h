@@ -21,6 +21,7 @@ struct PointRun {
   std::size_t count = 0;
   const Index* indices = nullptr; ///< of the points in the caller's cloud; null: first, first + 1, ...
   Index first = 0;                ///< index of the first point where indices is null
+  bool may_repeat = true;         ///< false: none of the grid's points is at the place of one of these
 
   Index index(std::size_t i) const { return indices != nullptr ? indices[i] : first + static_cast<Index>(i); }
 };
