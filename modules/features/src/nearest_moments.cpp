@@ -69,8 +69,21 @@ Moments VectorArrays::moments(std::size_t count) {
   return sums;
 }
 
-void NearbyPoints::grow() {
-  capacity_ = 2 * capacity_ + 64;
+void NearbyPoints::add(const double* points, std::size_t count) {
+  if (count_ + count > capacity_)
+    makeRoomFor(count_ + count);
+  double *x = points_.x.data() + count_, *y = points_.y.data() + count_, *z = points_.z.data() + count_;
+  for (std::size_t i = 0; i < count; ++i) {
+    x[i] = points[3 * i];
+    y[i] = points[3 * i + 1];
+    z[i] = points[3 * i + 2];
+  }
+  count_ += count;
+  rough_ = false;
+}
+
+void NearbyPoints::makeRoomFor(std::size_t count) {
+  capacity_ = 2 * count + 64;
   points_.makeRoomFor(capacity_);
   vectors_.makeRoomFor(capacity_);
   for (std::vector<float>* values : {&rough_x_, &rough_y_, &rough_z_})
@@ -79,7 +92,6 @@ void NearbyPoints::grow() {
   squared_.resize(capacity_ + LANES);
   grades_.resize(capacity_ + GRADE_LANES);
   ranks_.resize(capacity_ + GRADE_LANES);
-  rough_ = false;
 }
 
 void NearbyPoints::makeRough() {

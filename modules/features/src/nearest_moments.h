@@ -25,16 +25,12 @@ struct VectorArrays {
 /// Points near each other, with working memory for searches among them; kept from search to search.
 class NearbyPoints {
 public:
-  void clear() { count_ = 0; }
-  void add(double x, double y, double z) {
-    if (count_ == capacity_)
-      grow();
-    points_.x[count_] = x;
-    points_.y[count_] = y;
-    points_.z[count_] = z;
-    ++count_;
+  void clear() {
+    count_ = 0;
     rough_ = false;
   }
+  /// \param[in] points x, y, z of one after the other
+  void add(const double* points, std::size_t count);
 
   /// Finds the \a wanted nearest points to a place (x, y, z), among equally far ones those added first; points at the very place do not count.
   /// False, with nothing found, if fewer are within \a squared_radius.
@@ -47,7 +43,7 @@ public:
   Moments foundMoments() { return vectors_.moments(found_); }
 
 private:
-  void grow();
+  void makeRoomFor(std::size_t count);
   void makeRough();
   std::size_t findRoughly(const double* place, double squared_radius);
   template <typename Keeps>

@@ -95,21 +95,23 @@ bool NeighborhoodBatch::gather(const Bounds& box) {
   if (most > MOST_AROUND * (wanted_ + MOST_PICKS))
     return false;
   around_.resize(most);
+  nearby_.clear();
   std::size_t count = 0;
-  for (const PointRun& run : runs_)
-    for (std::size_t i = 0; i < run.count; ++i) {
+  for (const PointRun& run : runs_) {
+    for (std::size_t i = 0; i < run.count; ++i)
       around_[count++] = run.index(i);
-    }
-  around_.resize(count);
-  if (!grid_.inOrder())
-    std::sort(around_.begin(), around_.end());
+    if (grid_.inOrder() && !may_repeat)
+      nearby_.add(run.points->data(), run.count);
+  }
   if (!measured_.empty() && std::any_of(around_.begin(), around_.end(), [&](Index i) { return measured_.has(i); }))
     return false;
+  if (!grid_.inOrder())
+    std::sort(around_.begin(), around_.end());
   if (may_repeat)
     leaveOutRepeated();
-  nearby_.clear();
-  for (const Index i : around_)
-    nearby_.add(pointOf(i).x(), pointOf(i).y(), pointOf(i).z());
+  if (!grid_.inOrder() || may_repeat)
+    for (const Index i : around_)
+      nearby_.add(pointOf(i).data(), 1);
   Bounds reached = box;
   reached.low.array() -= radius_;
   reached.high.array() += radius_;

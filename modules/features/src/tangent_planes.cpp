@@ -15,25 +15,36 @@ namespace {
 
 constexpr std::size_t GRAIN = 1024;
 
-TangentPlanes noPlanes(std::size_t count, unsigned threads) {
+void clearPlanes(std::size_t begin, std::size_t end, TangentPlanes& planes) {
   constexpr double NONE = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = begin; i < end; ++i) {
+    planes.centres[i].setConstant(NONE);
+    planes.normals[i].setConstant(NONE);
+    planes.reach[i] = static_cast<float>(NONE);
+  }
+  if (!planes.curvature.empty())
+    std::fill(planes.curvature.begin() + static_cast<std::ptrdiff_t>(begin), planes.curvature.begin() + static_cast<std::ptrdiff_t>(end),
+              static_cast<float>(NONE));
+}
+
+void clearPlanes(TangentPlanes& planes, unsigned threads) {
+  parallelBlocks(planes.normals.size(), 1 << 14, threads, [&](std::size_t begin, std::size_t end) { clearPlanes(begin, end, planes); });
+}
+
+TangentPlanes unsetPlanes(std::size_t count, bool with_curvature) {
   TangentPlanes planes;
   planes.centres.resize(count);
   planes.normals.resize(count);
-  planes.curvature.resize(count);
   planes.reach.resize(count);
-  parallelFor(count, 1 << 14, threads, [&](std::size_t i) {
-    planes.centres[i].setConstant(NONE);
-    planes.normals[i].setConstant(NONE);
-    planes.curvature[i] = planes.reach[i] = static_cast<float>(NONE);
-  });
+  planes.curvature.resize(with_curvature ? count : 0);
   return planes;
 }
 
 void setPlane(const detail::FittedPlane& plane, double squared_reach, std::size_t i, TangentPlanes& planes) {
   planes.centres[i] = plane.centre;
   planes.normals[i] = plane.normal;
-  planes.curvature[i] = static_cast<float>(plane.curvature);
+  if (!planes.curvature.empty())
+    planes.curvature[i] = static_cast<float>(plane.curvature);
   planes.reach[i] = static_cast<float>(std::sqrt(squared_reach));
 }
 
@@ -155,14 +166,20 @@ TangentPlanes estimateTangentPlanes(const NeighborGrid& grid, const FaultNetwork
   check(grid, options);
   const detail::MeasuredNormals measured(grid, options.measured);
   const PlaneFitter fitter(grid.points(), measured, options.measured_weight);
-  TangentPlanes planes = noPlanes(grid.points().size(), options.threads);
+  TangentPlanes planes = unsetPlanes(grid.points().size(), options.with_curvature);
   planes.measured = measured.picks();
   const std::vector<Index>& order = grid.order();
+  const bool by_block = grid.inOrder() && !order.empty();
+  const auto placeOf = [&](std::size_t i) { return i == 0 ? 0 : i == order.size() ? grid.points().size() : static_cast<std::size_t>(order[i]); };
+  if (!by_block)
+    clearPlanes(planes, options.threads);
   parallelBlocks(order.size(), GRAIN, options.threads, [&](std::size_t begin, std::size_t end) {
     detail::NeighborhoodGrower grower(grid, faults, options);
     detail::NeighborhoodBatch batch(grid, faults, measured, options);
     BatchFitter batch_fitter;
     std::vector<Index> neighbors;
+    if (by_block)
+      clearPlanes(placeOf(begin), placeOf(end), planes);
     for (std::size_t first = begin, count = 0; first < end; first += count) {
       const Index* picks = order.data() + first;
       count = batch.extent(picks, end - first);
@@ -184,7 +201,8 @@ TangentPlanes estimateTangentPlanesAt(const NeighborGrid& grid, const FaultNetwo
   check(grid, options);
   const detail::MeasuredNormals measured(grid, options.measured);
   const PlaneFitter fitter(grid.points(), measured, options.measured_weight);
-  TangentPlanes planes = noPlanes(places.size(), options.threads);
+  TangentPlanes planes = unsetPlanes(places.size(), options.with_curvature);
+  clearPlanes(planes, options.threads);
   for (std::size_t i = 0; i < places.size() && !measured.empty(); ++i) {
     const Neighbor nearest = grid.nearestOne(places[i], 0.0);
     if (nearest.index >= 0 && measured.has(nearest.index))

@@ -188,9 +188,9 @@ void ReconstructionJob::estimateNormals() {
   o.neighbors = result_.report.used.neighbors;
   o.rho_plus_delta = rhoPlusDelta();
   o.measured = picks_.measured;
+  o.with_curvature = false;
   o.threads = options_.threads;
   planes_ = estimateTangentPlanes(grid_, faultsUnless(options_.skip.neighbors), o);
-  planes_.curvature = std::vector<float>(); // nobody asks
 }
 
 void ReconstructionJob::orient() {

@@ -51,8 +51,6 @@ std::vector<Neighbor> collected(const NeighborGrid& grid, const Vector3& query, 
   return found;
 }
 
-/// All kinds of queries about some points of the cloud and some off it, against a search through
-/// all points.
 /// Runs around a box hold every point near it once.
 void checkRunsAroundBox(const NeighborGrid& grid, const Vector3& corner, double length) {
   Bounds box;
@@ -71,6 +69,8 @@ void checkRunsAroundBox(const NeighborGrid& grid, const Vector3& corner, double 
   }
 }
 
+/// All kinds of queries about some points of the cloud and some off it, against a search through
+/// all points.
 void checkAgainstBruteForce(const NeighborGrid& grid, double length) {
   constexpr std::size_t ALL = std::numeric_limits<std::size_t>::max();
   constexpr double ANYWHERE = std::numeric_limits<double>::infinity();
@@ -92,7 +92,8 @@ void checkAgainstBruteForce(const NeighborGrid& grid, double length) {
     grid.within(query, 2.0 * length, found);
     ASSERT_NO_FATAL_FAILURE(expectSame(found, bruteForce(points, query, ALL, 2.0 * length)));
     ASSERT_NO_FATAL_FAILURE(expectSame(collected(grid, query, 2.0 * length), found));
-    ASSERT_NO_FATAL_FAILURE(checkRunsAroundBox(grid, query, length));
+    for (const double wide : {1.0, 6.0, 40.0})
+      ASSERT_NO_FATAL_FAILURE(checkRunsAroundBox(grid, query, wide * length));
     for (const double max_distance : {ANYWHERE, length}) {
       const Neighbor one = grid.nearestOne(query, max_distance);
       const std::vector<Neighbor> expected = bruteForce(points, query, 1, max_distance);
@@ -155,6 +156,33 @@ TEST(NeighborGrid, Duplicates) {
     points.insert(points.end(), points.begin(), points.begin() + 300);
   points.insert(points.end(), 500, points[17]);
   checkAgainstBruteForce(points, 50.0);
+}
+
+TEST(NeighborGrid, RunsTellWherePointsRepeat) {
+  Points points = test::wavySheet(3000, 1000.0, 1.0);
+  std::vector<PointRun> runs;
+  const auto pointsThatMayRepeat = [&](const NeighborGrid& grid) {
+    grid.runsAround(Bounds{{200.0, 200.0, -100.0}, {800.0, 800.0, 100.0}}, 10.0, runs);
+    std::size_t count = 0;
+    for (const PointRun& run : runs)
+      count += run.may_repeat ? run.count : 0;
+    return count;
+  };
+  EXPECT_EQ(pointsThatMayRepeat(NeighborGrid(points)), 0U);
+  for (std::size_t i = 0; i < 20; ++i) {
+    const Vector3 repeated = points[100 * i];
+    points.push_back(repeated);
+  }
+  const NeighborGrid grid(points);
+  EXPECT_LT(pointsThatMayRepeat(grid), points.size() / 2);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto isThere = [&](const Vector3& p) { return p == points[i]; };
+    if (std::count_if(points.begin(), points.end(), isThere) == 1)
+      continue;
+    grid.runsAround(points[i], 0.0, runs);
+    for (const PointRun& run : runs)
+      EXPECT_TRUE(run.may_repeat || std::none_of(run.points, run.points + run.count, isThere)) << "point " << i;
+  }
 }
 
 TEST(NeighborGrid, ManyIdenticalPointsCostNoMoreThanOthers) {

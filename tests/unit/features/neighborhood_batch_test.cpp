@@ -26,13 +26,13 @@ std::vector<std::size_t> nearestBySorting(const Points& points, const Vector3& p
   return numbers;
 }
 
-void expectNearestAsBySorting(const Points& points) {
+void expectNearestAsBySorting(const Points& points, double squared_radius = 1e9) {
   NearbyPoints nearby;
   for (const Vector3& p : points)
-    nearby.add(p.x(), p.y(), p.z());
+    nearby.add(p.data(), 1);
   for (std::size_t i = 0; i < points.size(); i += 3)
     for (const std::size_t wanted : {1U, 2U, 14U, 59U}) {
-      ASSERT_TRUE(nearby.findNearest(points[i].data(), wanted, 1e9));
+      ASSERT_TRUE(nearby.findNearest(points[i].data(), wanted, squared_radius));
       std::vector<std::size_t> found(nearby.foundCount());
       for (std::size_t n = 0; n < found.size(); ++n)
         found[n] = nearby.found(n);
@@ -51,6 +51,24 @@ Points lattice(int side) {
 TEST(NearbyPoints, NearestAsBySorting) {
   expectNearestAsBySorting(test::wavySheet(131, 100.0, 1.0));
   expectNearestAsBySorting(lattice(11)); // nearly all distances are tied
+  expectNearestAsBySorting(test::wavySheet(131, 100.0, 1.0), 8100.0); // with a few more than wanted around a corner
+  expectNearestAsBySorting(test::wavySheet(400, 100.0, 1.0)); // too many to be ranked
+}
+
+TEST(NearbyPoints, NearestAtAnyScaleAndPlace) {
+  const Points sheet = test::wavySheet(131, 100.0, 1.0);
+  for (const double scale : {1e-160, 1e-40, 1e-3, 1e16, 1e30}) {
+    Points points = sheet;
+    for (Vector3& p : points)
+      p *= scale;
+    expectNearestAsBySorting(points, 1e9 * scale * scale);
+    expectNearestAsBySorting(points, std::numeric_limits<double>::infinity());
+  }
+  Points points = sheet;
+  for (Vector3& p : points)
+    p += Vector3(461596.15, 5926880.02, -1693.095);
+  points.insert(points.begin(), Vector3(1e9, 0.0, 0.0)); // rough places about this one say nothing
+  expectNearestAsBySorting(points, 1e30);
 }
 
 TEST(NearbyPoints, NothingIsFoundWhereTooFewAreWithinTheRadius) {
@@ -59,7 +77,7 @@ TEST(NearbyPoints, NothingIsFoundWhereTooFewAreWithinTheRadius) {
   const Vector3 corner = points[0];
   EXPECT_FALSE(nearby.findNearest(corner.data(), 1, 1e9));
   for (const Vector3& p : points)
-    nearby.add(p.x(), p.y(), p.z());
+    nearby.add(p.data(), 1);
   EXPECT_TRUE(nearby.findNearest(corner.data(), 3, 2.0)); // two at 1, one at the square root of 2
   EXPECT_EQ(nearby.foundCount(), 3U);
   EXPECT_FALSE(nearby.findNearest(corner.data(), 4, 2.0));
@@ -71,7 +89,7 @@ TEST(NearbyPoints, MomentsAreSumsOverTheVectors) {
   const Points points = test::wavySheet(47, 100.0, 5.0);
   NearbyPoints nearby;
   for (const Vector3& p : points)
-    nearby.add(p.x(), p.y(), p.z());
+    nearby.add(p.data(), 1);
   for (std::size_t wanted = 1; wanted < points.size(); ++wanted) {
     ASSERT_TRUE(nearby.findNearest(points[5].data(), wanted, 1e9));
     const Moments m = nearby.foundMoments();

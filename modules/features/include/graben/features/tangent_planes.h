@@ -13,7 +13,7 @@ struct TangentPlanes {
                   ///< there is no plane
   Points normals; ///< n: unit normal; NaN where there is no plane
   std::vector<float> curvature; ///< surface variation, smallest eigenvalue over the sum of all, 0
-                                ///< to 1/3; NaN where there is no plane
+                                ///< to 1/3; NaN where there is no plane; empty if not asked for
   std::vector<float> reach;     ///< distance from the pick to the farthest of the neighbours its plane was fitted to, in the picks' units (away
                                 ///< from faults and gaps to the K-th nearest point, itself included); NaN where there is no plane
   std::vector<Index> measured;  ///< the planes whose normal was measured, not estimated: sorted indices into the above
@@ -34,6 +34,7 @@ struct TangentPlaneOptions {
   std::vector<MeasuredNormal> measured; ///< in any order; those of one place are averaged
   double measured_weight = 1.0;         ///< how strongly a measured normal m at distance d turns the normals of picks that have it among
                                         ///< their neighbours, from 0 (not) on; see estimateTangentPlanes()
+  bool with_curvature = true;           ///< false: TangentPlanes::curvature stays empty
   unsigned threads = 0;                 ///< 0: one per processor
 };
 
