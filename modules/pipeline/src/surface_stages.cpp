@@ -110,7 +110,7 @@ void ReconstructionJob::fit() {
 
 void ReconstructionJob::refineLocally() {
   const UsedParameters& used = result_.report.used;
-  const LocalFit local(grid_, planes_, faults_, used.fault_reach + 4.0 * rhoPlusDelta());
+  const LocalFit local(grid_, planes_, faults_, used.fault_reach + 4.0 * rhoPlusDelta(), mean_distance_);
   RefineOptions refinement;
   refinement.models = chooseModels(local, used.zone_width, options_.threads);
   refinement.zone_width = used.zone_width;

@@ -4,6 +4,7 @@
 #include "fit_rules.h"
 #include "local_faults.h"
 #include "normal_equations.h"
+#include "pick_blocks.h"
 #include "support_kernels.h"
 
 #include "graben/features/mean_distance.h"
@@ -19,10 +20,10 @@ namespace {
 
 constexpr double kNormalLimit = 0.34; // cosine of 70 degrees
 constexpr double kPi = 3.14159265358979;
-constexpr double kMore = 1.2;        // share of picks collected over those wanted
+constexpr double kMore = 1.1;        // share of picks collected over those wanted
 constexpr std::size_t kExactBelow = 45; // picks wanted up to which the disc is made to hold just these
 constexpr double kAmple = 1.3; // of the radius of a usual support, where many are looked up at once
-constexpr std::size_t kShortRun = 32;
+constexpr double kFarther = 1.2; // of the radius that turned out to be wanted, where the picks known do not do
 constexpr double kExactEnough = 1e-3; // of the way to a surface
 constexpr double kBlunder = 7.0;     // residual over the median one, 4.7 standard deviations of Gaussian noise
 constexpr int kBlunderRounds = 3;
@@ -75,9 +76,10 @@ LocalEstimate LocalSurface::from(const Vector3& place, const Vector3& direction)
   return e;
 }
 
-LocalFit::LocalFit(const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults, double search_radius)
-  : grid_(grid), planes_(planes), faults_(faults), search_radius_(search_radius),
-    borders_(std::make_shared<FaultBorders>(faults)), pace_(meanPickDistance(grid) / std::sqrt(kPi)) {
+LocalFit::LocalFit(const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults, double search_radius,
+                   double mean_distance)
+  : grid_(grid), planes_(planes), faults_(faults), search_radius_(search_radius), borders_(std::make_shared<FaultBorders>(faults)),
+    pace_((mean_distance > 0.0 ? mean_distance : meanPickDistance(grid)) / std::sqrt(kPi)) {
   if (!planes.measured.empty())
     measured_.assign(planes.normals.size(), false);
   for (const Index pick : planes.measured)
@@ -85,52 +87,43 @@ LocalFit::LocalFit(const NeighborGrid& grid, const TangentPlanes& planes, const 
 }
 
 void LocalFit::lookAround(const Bounds& places, std::size_t picks, Scratch& s) const {
-  Surroundings& around = s.around;
-  around.places = places;
-  around.radius = std::min(kAmple * usualRadius(picks), search_radius_);
-  around.no_faults = !faults_.mayTouch(grown(places, around.radius));
-  grid_.runsAround(places, around.radius, s.runs);
-  around.runs.clear();
-  around.boxes.clear();
-  for (const PointRun& run : s.runs)
-    for (std::size_t first = 0; first < run.count; first += kShortRun) {
-      const std::size_t count = std::min(kShortRun, run.count - first);
-      Bounds box;
-      for (std::size_t i = first; i < first + count; ++i)
-        if (run.points[i].allFinite())
-          box.extend(run.points[i]);
-      around.runs.push_back({run.points + first, count, run.indices == nullptr ? nullptr : run.indices + first, run.first + static_cast<Index>(first)});
-      around.boxes.push_back(box);
-    }
+  lookAround(places, kAmple * std::max(pace_, s.pace) * std::sqrt(static_cast<double>(picks)), s);
 }
 
-/// Runs that together hold all picks within the radius.
-void LocalFit::findRuns(const Vector3& centre, double radius, Scratch& s) const {
-  const Surroundings& around = s.around;
-  if (!contains(around.places, centre) || radius > around.radius)
-    return grid_.runsAround(centre, radius, s.runs);
-  s.runs.clear();
-  for (std::size_t i = 0; i < around.runs.size(); ++i) {
-    const Bounds& box = around.boxes[i];
-    if ((box.low - centre).cwiseMax(centre - box.high).cwiseMax(0.0).squaredNorm() <= radius * radius)
-      s.runs.push_back(around.runs[i]);
-  }
+void LocalFit::lookAround(const Bounds& places, double radius, Scratch& s) const {
+  radius = std::min(radius, search_radius_);
+  Surroundings& around = s.around;
+  around.places = places;
+  around.radius = radius;
+  around.no_faults = !faults_.mayTouch(grown(places, radius));
+  if (!around.picks)
+    around.picks = std::make_shared<detail::PickBlocks>();
+  grid_.runsAround(places, radius, s.runs);
+  std::size_t count = 0;
+  for (const PointRun& run : s.runs)
+    count += run.count;
+  around.picks->clear(count);
+  for (const PointRun& run : s.runs)
+    around.picks->add({run.points->data(), run.count, run.indices, run.first}, planes_.normals.front().data());
+  around.picks->close();
 }
 
 void LocalFit::collect(const LocalSurface& frame, const Vector3& viewpoint, double radius, Scratch& s) const {
-  findRuns(frame.centre, radius, s);
-  std::size_t most = detail::kLanes;
-  for (const PointRun& run : s.runs)
-    most += run.count;
+  if (!contains(s.around.places, frame.centre)) {
+    Bounds place;
+    place.extend(frame.centre);
+    lookAround(place, radius, s);
+  } else if (radius > s.around.radius) {
+    lookAround(Bounds(s.around.places), kFarther * radius, s); // for those that follow too
+  }
+  const detail::DiscQuery query{plain(frame.centre), plain(frame.u), plain(frame.v), plain(frame.normal), radius * radius, kNormalLimit};
+  const std::size_t most = s.around.picks->findNear(query.centre, query.squared_radius) + detail::kLanes;
   makeRoom(most, {&s.u, &s.v, &s.height, &s.squared});
   if (s.index.size() < most)
     s.index.resize(most + most / 2);
-  const detail::DiscQuery query{plain(frame.centre), plain(frame.u), plain(frame.v), plain(frame.normal), radius * radius, kNormalLimit};
-  s.count = 0;
-  for (const PointRun& run : s.runs)
-    s.count = detail::collectRun(query, {run.points->data(), run.count, run.indices, run.first}, planes_.normals.front().data(), arrays(s), s.count);
+  s.count = s.around.picks->collect(query, arrays(s));
   const Bounds known = grown(s.around.places, s.around.radius);
-  if (s.around.no_faults && contains(known, viewpoint) && contains(s.around.places, frame.centre) && radius <= s.around.radius)
+  if (s.around.no_faults && contains(known, viewpoint))
     return;
   Bounds box = boxAround(frame.centre, 1.001 * radius);
   box.extend(viewpoint);
@@ -169,9 +162,7 @@ double LocalFit::gather(LocalSurface& frame, const Vector3& viewpoint, std::size
   return frame.radius;
 }
 
-void LocalFit::keepWithin(double radius, Scratch& s) {
-  detail::keepIf(arrays(s), s.count, [&](std::size_t i) { return s.squared[i] <= radius * radius; });
-}
+void LocalFit::keepWithin(double radius, Scratch& s) { s.count = detail::keepWithin(radius * radius, arrays(s), s.count); }
 
 /// The picks gathered, in units of the support, and their weights.
 struct LocalFit::Support {

@@ -12,11 +12,6 @@ namespace {
 
 constexpr int kTop = 2 * kMaxDegree;
 
-/// Doubles side by side; compilers make one or two instructions of each operation.
-using Lanes = double __attribute__((vector_size(8 * kLanes)));
-
-void load(const double* p, Lanes& lanes) { std::memcpy(&lanes, p, sizeof lanes); }
-
 /// 1 in the first so many lanes, 0 in the others.
 void loadOnes(std::size_t count, Lanes& lanes) {
   constexpr double ones[2 * kLanes] = {1.0, 1.0, 1.0, 1.0};

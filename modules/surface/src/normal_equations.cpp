@@ -11,9 +11,6 @@ namespace graben::detail {
 
 namespace {
 
-/// Doubles side by side; compilers make one or two instructions of each operation.
-using Lanes = double __attribute__((vector_size(8 * kLanes)));
-
 constexpr std::size_t slot(int a, int b) { return static_cast<std::size_t>((a + b) * (a + b + 1) / 2 + b); }
 
 constexpr std::array<std::array<int, 2>, kMaxTerms> kExponents = {

@@ -3,36 +3,29 @@
 #include "graben/core/clones.h"
 
 #include <cstring>
+#include <limits>
 
 namespace graben::detail {
 
-namespace {
-
-/// Doubles side by side; compilers make one or two instructions of each operation.
-using Lanes = double __attribute__((vector_size(8 * kLanes)));
-
-} // namespace
-
-std::size_t collectRun(const DiscQuery& query, const PickRun& run, const double* normals, const PickArrays& out, std::size_t count) {
-  const double x = query.centre[0], y = query.centre[1], z = query.centre[2];
-  for (std::size_t i = 0; i < run.count; ++i) {
-    const double dx = run.points[3 * i] - x, dy = run.points[3 * i + 1] - y, dz = run.points[3 * i + 2] - z;
-    const std::int32_t pick = run.indices != nullptr ? run.indices[i] : run.first + static_cast<std::int32_t>(i);
-    const double* n = normals + 3 * static_cast<std::size_t>(pick);
-    const double u = dx * query.u[0] + dy * query.u[1] + dz * query.u[2];
-    const double v = dx * query.v[0] + dy * query.v[1] + dz * query.v[2];
-    const double height = dx * query.normal[0] + dy * query.normal[1] + dz * query.normal[2];
-    const double cosine = n[0] * query.normal[0] + n[1] * query.normal[1] + n[2] * query.normal[2];
-    const double squared = u * u + v * v;
-    out.u[count] = u;
-    out.v[count] = v;
-    out.height[count] = height;
-    out.squared[count] = squared;
-    out.index[count] = pick;
-    const std::size_t within = squared + height * height <= query.squared_radius ? 1 : 0, faces = cosine > query.least_cosine ? 1 : 0;
-    count += within & faces; // no branch: a pick not taken is written over by the next
+GRABEN_AVX2_CLONE std::size_t keepWithin(double squared_distance, const PickArrays& picks, std::size_t count) {
+  for (std::size_t i = count; i < roundUpToLanes(count); ++i)
+    picks.squared[i] = std::numeric_limits<double>::infinity();
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    Lanes u, v, height, squared;
+    load(picks.u + i, u);
+    load(picks.v + i, v);
+    load(picks.height + i, height);
+    load(picks.squared + i, squared);
+    const Packing kept(squared <= squared_distance);
+    kept.store(u, picks.u + found);
+    kept.store(v, picks.v + found);
+    kept.store(height, picks.height + found);
+    kept.store(squared, picks.squared + found);
+    kept.store(picks.index + i, picks.index + found);
+    found += kept.count();
   }
-  return count;
+  return found;
 }
 
 GRABEN_AVX2_CLONE void scaleAndWeigh(const PickArrays& picks, std::size_t count, double inverse_radius, const ScaledArrays& out) {

@@ -1,15 +1,12 @@
 #pragma once
 
+#include "lanes.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace graben::detail {
-
-/// Picks are worked on so many at a time: arrays have room for a multiple of them, and what stands behind the last pick has weight 0.
-constexpr std::size_t kLanes = 4;
-
-constexpr std::size_t roundUpToLanes(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
 /// Height of a polynomial given as the factors of its monomials in the order of termsOf().
 template <typename Number>
@@ -17,31 +14,11 @@ template <typename Number>
   height = c[0] + u * (c[1] + u * (c[3] + u * c[6])) + v * (c[2] + v * (c[5] + v * c[9])) + u * v * (c[4] + u * c[7] + v * c[8]);
 }
 
-/// Which picks are collected, and the frame they are then given in: u, v and normal are unit axes.
-struct DiscQuery {
-  std::array<double, 3> centre, u, v, normal;
-  double squared_radius;
-  double least_cosine; ///< between a pick's normal and the frame's
-};
-
-/// Picks that follow each other in memory.
-struct PickRun {
-  const double* points; ///< x y z x y z ...
-  std::size_t count;
-  const std::int32_t* indices; ///< of the picks; null: first, first + 1, ...
-  std::int32_t first;
-};
-
 /// The picks of a support: places and heights in its frame, squared distances within its plane.
 struct PickArrays {
   double *u, *v, *height, *squared;
   std::int32_t* index;
 };
-
-/// Appends the picks of a run that lie within the radius and face the right way. \param[in] normals of all picks: x y z x y z ...
-/// \param[in] count picks there are already; the arrays have room for all of the run behind them
-/// \return how many there are now
-std::size_t collectRun(const DiscQuery& query, const PickRun& run, const double* normals, const PickArrays& out, std::size_t count);
 
 /// Keeps the picks for which keep(i) holds, in their order.
 template <typename Keep>
@@ -58,6 +35,9 @@ void keepIf(const PickArrays& picks, std::size_t& count, const Keep& keep) {
   }
   count = kept;
 }
+
+/// Keeps the picks within a distance in the plane, in their order; the arrays have room for a multiple of kLanes. \return how many there are
+std::size_t keepWithin(double squared_distance, const PickArrays& picks, std::size_t count);
 
 /// Places in units of the radius of a support, and weights.
 struct ScaledArrays {

@@ -14,7 +14,7 @@ namespace {
 constexpr double kPerSupport = 6.0; // patches in the support of one
 constexpr double kShare = 0.75;     // of its support's radius to which a patch is used
 constexpr double kLeastWeight = 0.05; // of all patches together, for a place among the picks
-constexpr double kTogether = 4.0; // radii of a support, across patches whose picks are looked up at once
+constexpr double kTogether = 7.0; // radii of a support, across patches whose picks are looked up at once
 constexpr double kTilt = 0.95; // cosine of the angle between a patch's plane and its surface beyond which it is fitted again
 constexpr double kNormalLimit = 0.34;
 constexpr std::size_t kNarrowest = 14;
@@ -56,7 +56,7 @@ SurfacePatches::SurfacePatches(const LocalFit& fit, const ModelChoice& models, d
   patches_.resize(picks_.size());
   narrower_.assign(picks_.size(), 0);
   centres_.assign(picks_.size(), Vector3::Constant(std::numeric_limits<double>::quiet_NaN()));
-  parallelBlocks(picks_.size(), 64, threads, [&](std::size_t begin, std::size_t end) {
+  parallelBlocks(picks_.size(), 256, threads, [&](std::size_t begin, std::size_t end) {
     LocalFit::Scratch scratch;
     for (std::size_t i = begin, ready = begin; i < end; ++i) {
       if (i == ready)
@@ -85,18 +85,18 @@ SurfacePatches::SurfacePatches(const LocalFit& fit, const ModelChoice& models, d
 /// Makes ready for patch number \a i and some that follow. \return the number behind the last of them
 std::size_t SurfacePatches::lookAround(std::size_t i, std::size_t end, LocalFit::Scratch& scratch) const {
   const auto centreOf = [this](std::size_t patch) -> const Vector3& { return fit_.planes().centres[static_cast<std::size_t>(picks_[patch])]; };
-  const std::size_t first = i;
   const double most = kTogether * fit_.usualRadius(models_[i].neighbors);
+  std::size_t widest = 0;
   Bounds box;
-  box.extend(centreOf(i));
-  for (++i; i < end && models_[i].neighbors == models_[first].neighbors; ++i) {
+  for (; i < end; ++i) {
     Bounds more = box;
     more.extend(centreOf(i));
     if (more.diagonal() > most)
       break;
     box = more;
+    widest = std::max(widest, models_[i].neighbors);
   }
-  fit_.lookAround(grown(box, 0.01 * most), models_[first].neighbors, scratch);
+  fit_.lookAround(grown(box, 0.01 * most), widest, scratch);
   return i;
 }
 

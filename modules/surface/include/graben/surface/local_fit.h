@@ -14,6 +14,7 @@ class FaultBorders;
 
 namespace detail {
 class NormalEquations;
+class PickBlocks;
 }
 
 /// How a place of the surface is estimated from the picks around it.
@@ -56,20 +57,20 @@ LocalSurface frameAt(const Vector3& centre, const Vector3& normal);
 class LocalFit {
 public:
   /// \param[in] search_radius no pick farther than this is used, in the picks' units
-  LocalFit(const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults, double search_radius);
+  /// \param[in] mean_distance from pick to pick, as meanPickDistance() gives it; 0: it is asked
+  LocalFit(const NeighborGrid& grid, const TangentPlanes& planes, const FaultNetwork& faults, double search_radius, double mean_distance = 0.0);
 
-  /// What lies around several places: the picks around a box, in short runs of which each has a box of its own.
+  /// What lies around several places.
   struct Surroundings {
     Bounds places;
     double radius = 0.0;    ///< all picks as near to a place are known
     bool no_faults = false; ///< none is as near
-    std::vector<PointRun> runs;
-    std::vector<Bounds> boxes; ///< of the runs
+    std::shared_ptr<detail::PickBlocks> picks;
   };
 
   /// Working memory, kept by the caller from call to call; after gather() the picks found, one array per quantity.
   struct Scratch {
-    Surroundings around; ///< set by lookAround()
+    Surroundings around; ///< of the last places looked around, see lookAround()
     std::vector<PointRun> runs;
     std::size_t count = 0;
     std::vector<double> u, v, height, squared; ///< in the frame of the plane given; distance squared within that plane
@@ -86,7 +87,7 @@ public:
                    Index own = -1) const;
 
   /// Makes ready for supports of up to so many picks at places in a box: they then cost a fraction, and differ by no more than the order of sums.
-  /// To be called for places closer to each other than supports are wide; supports that reach farther are looked up one by one.
+  /// To be called for places not much farther from each other than supports are wide.
   void lookAround(const Bounds& places, std::size_t picks, Scratch& scratch) const;
 
   /// The surface about a place, over the plane with that normal; arguments as for at().
@@ -119,7 +120,7 @@ public:
 private:
   struct Support;
   void addSlopes(const LocalSurface& surface, double weight, const Scratch& scratch, Index own, detail::NormalEquations& equations) const;
-  void findRuns(const Vector3& centre, double radius, Scratch& scratch) const;
+  void lookAround(const Bounds& places, double radius, Scratch& scratch) const;
   void collect(const LocalSurface& frame, const Vector3& viewpoint, double radius, Scratch& scratch) const;
 
   const NeighborGrid& grid_;
