@@ -87,10 +87,10 @@ LocalFit::LocalFit(const NeighborGrid& grid, const TangentPlanes& planes, const 
 }
 
 void LocalFit::lookAround(const Bounds& places, std::size_t picks, Scratch& s) const {
-  lookAround(places, kAmple * std::max(pace_, s.pace) * std::sqrt(static_cast<double>(picks)), s);
+  lookWithin(places, kAmple * std::max(pace_, s.pace) * std::sqrt(static_cast<double>(picks)), s);
 }
 
-void LocalFit::lookAround(const Bounds& places, double radius, Scratch& s) const {
+void LocalFit::lookWithin(const Bounds& places, double radius, Scratch& s) const {
   radius = std::min(radius, search_radius_);
   Surroundings& around = s.around;
   around.places = places;
@@ -112,9 +112,9 @@ void LocalFit::collect(const LocalSurface& frame, const Vector3& viewpoint, doub
   if (!contains(s.around.places, frame.centre)) {
     Bounds place;
     place.extend(frame.centre);
-    lookAround(place, radius, s);
+    lookWithin(place, radius, s);
   } else if (radius > s.around.radius) {
-    lookAround(Bounds(s.around.places), kFarther * radius, s); // for those that follow too
+    lookWithin(Bounds(s.around.places), kFarther * radius, s); // for those that follow too
   }
   const detail::DiscQuery query{plain(frame.centre), plain(frame.u), plain(frame.v), plain(frame.normal), radius * radius, kNormalLimit};
   const std::size_t most = s.around.picks->findNear(query.centre, query.squared_radius) + detail::kLanes;

@@ -56,6 +56,7 @@ void setDirections(TriangleMesh& mesh, const VertexCorners& corners, unsigned th
 
 constexpr std::size_t kLeastAtTip = 24; // picks in a support next to a tip
 constexpr std::size_t kMostInBlock = 64;
+constexpr double kSpread = 2.5; // radii of a support, across vertices whose picks are looked up at once
 constexpr double kBlockSize = 4.0; // in reaches of the widest patch
 
 /// Moves the vertices named, all away from the belt and any within it, to the surface as the patches or a fit of their own tell it.
@@ -69,29 +70,47 @@ public:
   std::vector<Index> pass(const std::vector<Index>& vertices, const VertexCorners& corners, const VertexMover& mover) {
     const Viewpoints viewpoints(cut_, corners);
     Points targets = mover.places(cut_);
-    std::vector<std::uint8_t> stopped(vertices.size(), 0);
+    std::vector<std::uint8_t> outcomes(vertices.size(), kMoved);
+    const auto move = [&](std::size_t i, const LocalEstimate& e) {
+      const Vector3 step = stepOf(vertices[i], e, outcomes[i]);
+      if (!step.isZero(0.0))
+        mover.send(vertices[i], ontoFaults(fit_.faults(), on(vertices[i]), placeOf(vertices[i]) + step), cut_, targets);
+    };
     parallelBlocks(vertices.size(), 256, options_.threads, [&](std::size_t begin, std::size_t end) {
       Block block;
-      for (std::size_t i = begin; i < end;) {
-        const std::size_t last = nextBlock(vertices, i, end, block);
-        for (; i < last; ++i) {
-          const Vector3 step = stepOf(vertices[i], viewpoints.of(vertices[i]), block, stopped[i]);
-          if (!step.isZero(0.0))
-            mover.send(vertices[i], ontoFaults(fit_.faults(), on(vertices[i]), placeOf(vertices[i]) + step), cut_, targets);
+      for (std::size_t i = begin; i < end;)
+        for (const std::size_t last = nextBlock(vertices, i, end, block); i < last; ++i) {
+          LocalEstimate e;
+          if (estimate(vertices[i], viewpoints.of(vertices[i]), block, e))
+            move(i, e);
+          else
+            outcomes[i] = kBeyond;
         }
-      }
+    });
+    const std::vector<std::size_t> beyond = numbersOf(kBeyond, outcomes);
+    parallelBlocks(beyond.size(), 64, options_.threads, [&](std::size_t begin, std::size_t end) {
+      LocalFit::Scratch scratch;
+      for (std::size_t k = begin; k < end;)
+        for (const std::size_t last = lookAround(vertices, beyond, k, end, scratch); k < last; ++k)
+          move(beyond[k], estimateBeyond(vertices[beyond[k]], viewpoints.of(vertices[beyond[k]]), scratch));
     });
     mover.move(cut_, std::move(targets));
     std::vector<Index> longest;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      if (stopped[i] != 0)
-        longest.push_back(vertices[i]);
+    for (const std::size_t i : numbersOf(kStopped, outcomes))
+      longest.push_back(vertices[i]);
     return longest;
   }
 
 private:
+  enum Outcome : std::uint8_t {
+    kMoved,
+    kStopped, ///< the longest step allowed
+    kBeyond   ///< not moved yet: no patch reaches
+  };
+
   /// What lies near some vertices that lie near each other.
   struct Block {
+    Bounds box; ///< of the vertices
     bool near_tips = false;
     detail::SurfacePatches::Block patches;
     LocalFit::Scratch scratch;
@@ -100,32 +119,41 @@ private:
   const std::array<Index, 2>& on(Index vertex) const { return cut_.vertex_faults[static_cast<std::size_t>(vertex)]; }
   const Vector3& placeOf(Index vertex) const { return cut_.mesh.vertices[static_cast<std::size_t>(vertex)]; }
 
-  /// Makes ready for vertices number \a i and some that follow. \return the number behind the last of them
-  std::size_t nextBlock(const std::vector<Index>& vertices, std::size_t i, std::size_t end, Block& block) const {
-    Bounds box;
-    box.extend(placeOf(vertices[i]));
-    for (end = std::min(end, ++i + kMostInBlock - 1); i < end; ++i) {
-      Bounds more = box;
-      more.extend(placeOf(vertices[i]));
-      if (more.diagonal() > kBlockSize * patches_.reach())
-        break;
-      box = more;
-    }
-    block.near_tips = tips_.mayReach(box, support_);
-    patches_.gather(box, block.patches);
-    return i;
+  static std::vector<std::size_t> numbersOf(Outcome wanted, const std::vector<std::uint8_t>& outcomes) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < outcomes.size(); ++i)
+      if (outcomes[i] == wanted)
+        numbers.push_back(i);
+    return numbers;
   }
 
-  /// The vertex's way to the surface; its normal becomes that of the surface. \param[out] stopped whether it was cut short
-  Vector3 stepOf(Index vertex, const Vector3& viewpoint, Block& block, std::uint8_t& stopped) const {
+  /// Makes ready for vertices number \a i and some that follow. \return the number behind the last of them
+  std::size_t nextBlock(const std::vector<Index>& vertices, std::size_t i, std::size_t end, Block& block) const {
+    const double size = patches_.reach() > 0.0 ? kBlockSize * patches_.reach() : support_;
+    end = growOver(i, std::min(end, i + kMostInBlock), size, [&](std::size_t k) { return placeOf(vertices[k]); }, block.box);
+    block.near_tips = tips_.mayReach(block.box, support_);
+    patches_.gather(block.box, block.patches);
+    return end;
+  }
+
+  /// The same for those of the vertices that no patch reaches.
+  std::size_t lookAround(const std::vector<Index>& vertices, const std::vector<std::size_t>& beyond, std::size_t k, std::size_t end,
+                         LocalFit::Scratch& scratch) const {
+    Bounds box;
+    end = growOver(k, end, kSpread * support_, [&](std::size_t i) { return placeOf(vertices[beyond[i]]); }, box);
+    fit_.lookAround(box, options_.models.edge.neighbors, scratch);
+    return end;
+  }
+
+  /// The vertex's way to the surface; its normal becomes that of the surface.
+  Vector3 stepOf(Index vertex, const LocalEstimate& e, std::uint8_t& outcome) const {
     Vector3& normal = cut_.mesh.normals[static_cast<std::size_t>(vertex)];
-    const LocalEstimate e = estimate(placeOf(vertex), viewpoint, normal, block);
     if (!e.valid)
       return Vector3::Zero();
     Vector3 step = cut_.onFault(vertex) ? stepOnFaults(fit_.faults(), on(vertex), placeOf(vertex), normal, e.offset) : Vector3(e.offset * normal);
     const double length = step.norm();
-    stopped = options_.max_step > 0.0 && length > options_.max_step ? 1 : 0;
-    if (stopped != 0)
+    outcome = options_.max_step > 0.0 && length > options_.max_step ? kStopped : kMoved;
+    if (outcome == kStopped)
       step *= options_.max_step / length;
     normal = e.normal;
     return step;
@@ -135,31 +163,40 @@ private:
     return !fit_.faults().empty() && fit_.faults().nearest(place, 0.5 * options_.zone_width).fault >= 0;
   }
 
-  LocalEstimate estimate(const Vector3& at, const Vector3& viewpoint, const Vector3& normal, Block& block) const {
+  /// \return false if no patch reaches the vertex
+  bool estimate(Index vertex, const Vector3& viewpoint, Block& block, LocalEstimate& e) const {
+    const Vector3& at = placeOf(vertex);
+    const Vector3& normal = cut_.mesh.normals[static_cast<std::size_t>(vertex)];
     const ModelChoice& models = options_.models;
-    LocalFit::Scratch& scratch = block.scratch;
+    const auto fitted = [&](const LocalModel& model) {
+      if (!contains(block.scratch.around.places, at))
+        fit_.lookAround(block.box, model.neighbors, block.scratch); // for those that follow too
+      return fit_.at(at, viewpoint, normal, model, block.scratch);
+    };
     if (block.near_tips) {
       const double to_tip = tips_.distance(at, support_);
       if (to_tip < support_)
-        return fit_.at(at, viewpoint, normal, atTip(to_tip), scratch);
+        return e = fitted(atTip(to_tip)), true;
     }
     if (!detail::SurfacePatches::worthwhile(models.away) || !detail::SurfacePatches::worthwhile(models.near)) {
       const LocalModel& model = isNear(at) ? models.near : models.away;
       if (!detail::SurfacePatches::worthwhile(model))
-        return fit_.at(at, viewpoint, normal, model, scratch);
+        return e = fitted(model), true;
     }
-    const detail::SurfacePatches::Estimate e = patches_.at(at, viewpoint, normal, block.patches);
-    if (e.valid && e.narrower > 0) {
-      const LocalEstimate own = fit_.at(at, viewpoint, normal, {2, e.narrower, models.near.slope_weight}, scratch);
+    const detail::SurfacePatches::Estimate mean = patches_.at(at, viewpoint, normal, block.patches);
+    e = mean;
+    if (mean.valid && mean.narrower > 0) {
+      const LocalEstimate own = fitted({2, mean.narrower, models.near.slope_weight});
       if (own.valid)
-        return own;
+        e = own;
     }
-    if (e.valid)
-      return e;
-    const LocalModel model = isNear(at) ? beyond(models.near) : models.edge;
-    if (!contains(scratch.around.places, at))
-      fit_.lookAround(boxAround(at, 0.5 * support_), model.neighbors, scratch); // for those that follow too
-    return fit_.at(at, viewpoint, normal, model, scratch);
+    return mean.valid;
+  }
+
+  LocalEstimate estimateBeyond(Index vertex, const Vector3& viewpoint, LocalFit::Scratch& scratch) const {
+    const Vector3& at = placeOf(vertex);
+    const LocalModel model = isNear(at) ? beyond(options_.models.near) : options_.models.edge;
+    return fit_.at(at, viewpoint, cut_.mesh.normals[static_cast<std::size_t>(vertex)], model, scratch);
   }
 
   /// Next to a tip throw changes faster than elsewhere, as a square root: the support shrinks so as not to reach past it.

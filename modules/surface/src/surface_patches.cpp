@@ -86,18 +86,13 @@ SurfacePatches::SurfacePatches(const LocalFit& fit, const ModelChoice& models, d
 std::size_t SurfacePatches::lookAround(std::size_t i, std::size_t end, LocalFit::Scratch& scratch) const {
   const auto centreOf = [this](std::size_t patch) -> const Vector3& { return fit_.planes().centres[static_cast<std::size_t>(picks_[patch])]; };
   const double most = kTogether * fit_.usualRadius(models_[i].neighbors);
-  std::size_t widest = 0;
   Bounds box;
-  for (; i < end; ++i) {
-    Bounds more = box;
-    more.extend(centreOf(i));
-    if (more.diagonal() > most)
-      break;
-    box = more;
+  end = growOver(i, end, most, centreOf, box);
+  std::size_t widest = 0;
+  for (; i < end; ++i)
     widest = std::max(widest, models_[i].neighbors);
-  }
   fit_.lookAround(grown(box, 0.01 * most), widest, scratch);
-  return i;
+  return end;
 }
 
 void SurfacePatches::choosePicks(const ModelChoice& models, double near_distance, unsigned threads) {

@@ -120,7 +120,7 @@ public:
 private:
   struct Support;
   void addSlopes(const LocalSurface& surface, double weight, const Scratch& scratch, Index own, detail::NormalEquations& equations) const;
-  void lookAround(const Bounds& places, double radius, Scratch& scratch) const;
+  void lookWithin(const Bounds& places, double radius, Scratch& scratch) const;
   void collect(const LocalSurface& frame, const Vector3& viewpoint, double radius, Scratch& scratch) const;
 
   const NeighborGrid& grid_;
