@@ -37,6 +37,14 @@ public:
     std::memcpy(to, &packed, sizeof packed);
   }
 
+  /// The same for the numbers of the lanes, counted from \a first.
+  [[gnu::always_inline]] void storeNumbers(std::int32_t first, std::int32_t* to) const {
+    Quarter numbers;
+    std::memcpy(&numbers, &kOrders[choice_], sizeof numbers);
+    numbers += first;
+    std::memcpy(to, &numbers, sizeof numbers);
+  }
+
   [[gnu::always_inline]] void store(const std::int32_t* from, std::int32_t* to) const {
     Quarter numbers, order;
     std::memcpy(&numbers, from, sizeof numbers);

@@ -6,6 +6,7 @@
 #include "normal_equations.h"
 #include "pick_blocks.h"
 #include "support_kernels.h"
+#include "way_to_surface.h"
 
 #include "graben/features/mean_distance.h"
 
@@ -24,7 +25,6 @@ constexpr double kMore = 1.1;        // share of picks collected over those want
 constexpr std::size_t kExactBelow = 45; // picks wanted up to which the disc is made to hold just these
 constexpr double kAmple = 1.3; // of the radius of a usual support, where many are looked up at once
 constexpr double kFarther = 1.2; // of the radius that turned out to be wanted, where the picks known do not do
-constexpr double kExactEnough = 1e-3; // of the way to a surface
 constexpr double kBlunder = 7.0;     // residual over the median one, 4.7 standard deviations of Gaussian noise
 constexpr int kBlunderRounds = 3;
 
@@ -51,26 +51,24 @@ LocalSurface frameAt(const Vector3& centre, const Vector3& normal) {
 
 LocalEstimate LocalSurface::from(const Vector3& place, const Vector3& direction) const {
   LocalEstimate e;
-  const std::array<double, 10>& c = coefficients;
   const Vector3 d = place - centre;
-  const double along_u = direction.dot(u) / radius, along_v = direction.dot(v) / radius, along = direction.dot(normal);
-  const double at_u = d.dot(u) / radius, at_v = d.dot(v) / radius, height = d.dot(normal);
-  // Second derivatives within the support are no larger: where they cannot matter one step is enough.
-  const double bend = std::abs(c[3]) + std::abs(c[4]) + std::abs(c[5]) + 3.0 * (std::abs(c[6]) + std::abs(c[7]) + std::abs(c[8]) + std::abs(c[9]));
+  detail::WayToSurface<double> way;
+  way.at_u = d.dot(u) / radius;
+  way.at_v = d.dot(v) / radius;
+  way.height = d.dot(normal);
+  way.along_u = direction.dot(u) / radius;
+  way.along_v = direction.dot(v) / radius;
+  way.along = direction.dot(normal);
+  const double bend = detail::bendOf(coefficients.data()) * (way.along_u * way.along_u + way.along_v * way.along_v);
   for (int step = 0; step < 2; ++step) {
-    const double x = at_u + e.offset * along_u, y = at_v + e.offset * along_v;
-    const double slope_u = c[1] + 2.0 * c[3] * x + c[4] * y + 3.0 * c[6] * x * x + 2.0 * c[7] * x * y + c[8] * y * y;
-    const double slope_v = c[2] + c[4] * x + 2.0 * c[5] * y + c[7] * x * x + 2.0 * c[8] * x * y + 3.0 * c[9] * y * y;
-    const double rate = along - slope_u * along_u - slope_v * along_v;
-    if (std::abs(rate) < 0.1)
+    way.step(coefficients.data());
+    if (std::abs(way.rate) < detail::kLeastRate)
       return e;
-    double fitted = 0.0;
-    detail::heightOf(c.data(), x, y, fitted);
-    e.offset += (fitted - height - e.offset * along) / rate;
-    e.normal = normal - slope_u / radius * u - slope_v / radius * v;
-    if (bend * (along_u * along_u + along_v * along_v) * std::abs(e.offset) < kExactEnough)
+    if (bend * std::abs(way.offset) < detail::kExactEnough)
       break;
   }
+  e.offset = way.offset;
+  e.normal = normal - way.slope_u / radius * u - way.slope_v / radius * v;
   e.normal *= (e.normal.dot(direction) < 0.0 ? -1.0 : 1.0) / e.normal.norm();
   e.valid = valid && std::isfinite(e.offset);
   return e;

@@ -37,9 +37,7 @@ GRABEN_AVX2_CLONE std::size_t findBoxes(const BlockBoxes* boxes, std::size_t cou
     distanceTo(boxes[i].low_y, boxes[i].high_y, place[1], y);
     distanceTo(boxes[i].low_z, boxes[i].high_z, place[2], z);
     const Packing within(x * x + y * y + z * z <= squared_distance);
-    const auto first = static_cast<std::int32_t>(i * kLanes);
-    const std::int32_t numbers[kLanes] = {first, first + 1, first + 2, first + 3};
-    within.store(numbers, near + found);
+    within.storeNumbers(static_cast<std::int32_t>(i * kLanes), near + found);
     found += within.count();
   }
   return found;

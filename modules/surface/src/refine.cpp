@@ -87,12 +87,12 @@ public:
             outcomes[i] = kBeyond;
         }
     });
-    const std::vector<std::size_t> beyond = numbersOf(kBeyond, outcomes);
-    parallelBlocks(beyond.size(), 64, options_.threads, [&](std::size_t begin, std::size_t end) {
+    const std::vector<std::size_t> left = numbersOf(kBeyond, outcomes);
+    parallelBlocks(left.size(), 64, options_.threads, [&](std::size_t begin, std::size_t end) {
       LocalFit::Scratch scratch;
       for (std::size_t k = begin; k < end;)
-        for (const std::size_t last = lookAround(vertices, beyond, k, end, scratch); k < last; ++k)
-          move(beyond[k], estimateBeyond(vertices[beyond[k]], viewpoints.of(vertices[beyond[k]]), scratch));
+        for (const std::size_t last = lookAround(vertices, left, k, end, scratch); k < last; ++k)
+          move(left[k], estimateBeyond(vertices[left[k]], viewpoints.of(vertices[left[k]]), scratch));
     });
     mover.move(cut_, std::move(targets));
     std::vector<Index> longest;
@@ -137,10 +137,10 @@ private:
   }
 
   /// The same for those of the vertices that no patch reaches.
-  std::size_t lookAround(const std::vector<Index>& vertices, const std::vector<std::size_t>& beyond, std::size_t k, std::size_t end,
+  std::size_t lookAround(const std::vector<Index>& vertices, const std::vector<std::size_t>& left, std::size_t k, std::size_t end,
                          LocalFit::Scratch& scratch) const {
     Bounds box;
-    end = growOver(k, end, kSpread * support_, [&](std::size_t i) { return placeOf(vertices[beyond[i]]); }, box);
+    end = growOver(k, end, kSpread * support_, [&](std::size_t i) { return placeOf(vertices[left[i]]); }, box);
     fit_.lookAround(box, options_.models.edge.neighbors, scratch);
     return end;
   }

@@ -9,8 +9,8 @@
 namespace graben::detail {
 
 /// Height of a polynomial given as the factors of its monomials in the order of termsOf().
-template <typename Number>
-[[gnu::always_inline]] inline void heightOf(const double* c, const Number& u, const Number& v, Number& height) {
+template <typename Coefficient, typename Number>
+[[gnu::always_inline]] inline void heightOf(const Coefficient* c, const Number& u, const Number& v, Number& height) {
   height = c[0] + u * (c[1] + u * (c[3] + u * c[6])) + v * (c[2] + v * (c[5] + v * c[9])) + u * v * (c[4] + u * c[7] + v * c[8]);
 }
 

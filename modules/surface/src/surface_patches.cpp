@@ -1,6 +1,7 @@
 #include "surface_patches.h"
 
 #include "box_around.h"
+#include "way_to_surface.h"
 
 #include "graben/core/threads.h"
 
@@ -130,43 +131,56 @@ void SurfacePatches::gather(const Bounds& box, Block& block) const {
   };
   block.patches.erase(std::remove_if(block.patches.begin(), block.patches.end(), outOfReach), block.patches.end());
   std::sort(block.patches.begin(), block.patches.end()); // the same order of sums, whatever the block
-  for (std::vector<double>* values : {&block.x, &block.y, &block.z, &block.inverse_square})
-    values->clear();
-  for (const Index p : block.patches) {
-    const Vector3& centre = centres_[static_cast<std::size_t>(p)];
-    const double reach = kShare * patches_[static_cast<std::size_t>(p)].radius;
-    block.x.push_back(centre.x());
-    block.y.push_back(centre.y());
-    block.z.push_back(centre.z());
-    block.inverse_square.push_back(1.0 / (reach * reach));
-  }
+  setLanes(block);
   Bounds wide = box;
   wide.low.array() -= widest_;
   wide.high.array() += widest_;
   block.faults = block.patches.empty() ? LocalFaults() : LocalFaults(fit_.faults(), fit_.borders(), wide);
 }
 
+void SurfacePatches::setLanes(Block& block) const {
+  block.lanes.resize((block.patches.size() + kLanes - 1) / kLanes);
+  for (std::size_t i = 0; i < kLanes * block.lanes.size(); ++i) {
+    PatchLanes& lanes = block.lanes[i / kLanes];
+    const std::size_t lane = i % kLanes;
+    lanes.inverse_square[lane] = std::numeric_limits<double>::infinity();
+    if (i >= block.patches.size())
+      continue;
+    const auto p = static_cast<std::size_t>(block.patches[i]);
+    const LocalSurface& patch = patches_[p];
+    const double reach = kShare * patch.radius;
+    lanes.inverse_square[lane] = 1.0 / (reach * reach);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      lanes.centre[axis][lane] = centres_[p][axis];
+      lanes.origin[axis][lane] = patch.centre[axis];
+      lanes.u[axis][lane] = patch.u[axis] / patch.radius;
+      lanes.v[axis][lane] = patch.v[axis] / patch.radius;
+      lanes.normal[axis][lane] = patch.normal[axis];
+    }
+    for (std::size_t k = 0; k < patch.coefficients.size(); ++k)
+      lanes.coefficients[k][lane] = patch.coefficients[k];
+    lanes.bend[lane] = bendOf(patch.coefficients.data());
+  }
+}
+
 SurfacePatches::Estimate SurfacePatches::at(const Vector3& place, const Vector3& viewpoint, const Vector3& direction, const Block& block) const {
   Estimate mean;
   mean.normal.setZero();
   double total = 0.0, too_wide = 0.0;
+  PatchFeet feet;
   for (std::size_t i = 0; i < block.patches.size(); ++i) {
-    const double dx = block.x[i] - place.x(), dy = block.y[i] - place.y(), dz = block.z[i] - place.z();
-    const double share = (dx * dx + dy * dy + dz * dz) * block.inverse_square[i];
-    if (share >= 1.0)
+    const std::size_t lane = i % kLanes;
+    if (lane == 0 && !findFeet(block.lanes[i / kLanes], place.data(), direction.data(), kNormalLimit, feet)) {
+      i += kLanes - 1;
       continue;
+    }
     const auto p = static_cast<std::size_t>(block.patches[i]);
-    const LocalSurface& patch = patches_[p];
-    if (patch.normal.dot(direction) < kNormalLimit)
+    const double weight = feet.weight[lane];
+    if (weight == 0.0 || (!block.faults.empty() && !block.faults.sameSide(fit_.grid().points()[static_cast<std::size_t>(picks_[p])], viewpoint)))
       continue;
-    if (!block.faults.empty() && !block.faults.sameSide(fit_.grid().points()[static_cast<std::size_t>(picks_[p])], viewpoint))
-      continue;
-    const LocalEstimate e = patch.from(place, direction);
-    if (!e.valid)
-      continue;
-    const double weight = (1.0 - share) * (1.0 - share);
-    mean.offset += weight * e.offset;
-    mean.normal += weight * e.normal;
+    const Vector3 normal(feet.normal[0][lane], feet.normal[1][lane], feet.normal[2][lane]);
+    mean.offset += weight * feet.offset[lane];
+    mean.normal += (normal.dot(direction) < 0.0 ? -weight : weight) / normal.norm() * normal;
     total += weight;
     if (narrower_[p] != 0) {
       too_wide += weight;

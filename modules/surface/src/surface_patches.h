@@ -1,6 +1,7 @@
 #pragma once
 
 #include "local_faults.h"
+#include "patch_lanes.h"
 
 #include "graben/surface/local_fit.h"
 
@@ -23,8 +24,8 @@ public:
 
   /// What lies near a block of places: working memory, kept by the caller from block to block.
   struct Block {
-    std::vector<Index> patches;                  ///< that may reach a place of the block
-    std::vector<double> x, y, z, inverse_square; ///< their centres, and 1 / square of their reach
+    std::vector<Index> patches;    ///< that may reach a place of the block
+    std::vector<PatchLanes> lanes; ///< the same, as many at a time
     LocalFaults faults;
     PointsAround around;
   };
@@ -45,6 +46,7 @@ public:
 
 private:
   std::size_t lookAround(std::size_t patch, std::size_t end, LocalFit::Scratch& scratch) const;
+  void setLanes(Block& block) const;
   void choosePicks(const ModelChoice& models, double near_distance, unsigned threads);
 
   const LocalFit& fit_;
