@@ -4,6 +4,7 @@
 #include "graben/core/threads.h"
 #include "graben/faults/fault_network.h"
 #include "graben/mesh/adjacency.h"
+#include "graben/mesh/triangle_bounds.h"
 
 #include <Eigen/Geometry>
 
@@ -15,13 +16,6 @@ namespace graben {
 namespace {
 
 using Side = std::array<Index, 3>; ///< one entry per edge of a triangle; edge e runs from corner e to corner (e + 1) % 3
-
-Bounds boxOf(const TriangleMesh& mesh, const Triangle& t) {
-  Bounds box;
-  for (const Index v : t)
-    box.extend(mesh.vertices[static_cast<std::size_t>(v)]);
-  return box;
-}
 
 std::optional<Vector3> meet(const Vector3& p, const Vector3& q, const Vector3& a, const Vector3& b, const Vector3& c) {
   const Vector3 n = (b - a).cross(c - a);
@@ -64,26 +58,15 @@ private:
   };
 
   void findTriangles() {
-    constexpr std::size_t together = 64; // triangles that follow each other mostly lie together
     const TriangleBvh& fault = faults_.bvh(fault_);
-    std::vector<std::uint8_t> near(mesh_.triangles.size(), 0);
-    parallelBlocks(near.size(), 64 * together, threads_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t first = begin; first < end; first += together) {
-        const std::size_t last = std::min(first + together, end);
-        Bounds all;
-        for (std::size_t t = first; t < last; ++t)
-          for (const Index v : mesh_.triangles[t])
-            all.extend(mesh_.vertices[static_cast<std::size_t>(v)]);
-        const auto mayTouch = [&](const Bounds& box) { return fault.bounds().overlaps(box) && fault.mayTouch(box); };
-        if (!mayTouch(grown(all, tolerance_)))
-          continue;
-        for (std::size_t t = first; t < last; ++t)
-          near[t] = mayTouch(grown(boxOf(mesh_, mesh_.triangles[t]), tolerance_)) ? 1 : 0;
-      }
+    std::vector<std::uint8_t> near(state_.near.size(), 0);
+    parallelFor(near.size(), 1024, threads_, [&](std::size_t i) {
+      const Bounds box = grown(boundsOf(mesh_, mesh_.triangles[static_cast<std::size_t>(state_.near[i])]), tolerance_);
+      near[i] = fault.bounds().overlaps(box) && fault.mayTouch(box) ? 1 : 0;
     });
-    for (std::size_t t = 0; t < near.size(); ++t)
-      if (near[t] != 0)
-        near_.push_back(t);
+    for (std::size_t i = 0; i < near.size(); ++i)
+      if (near[i] != 0)
+        near_.push_back(static_cast<std::size_t>(state_.near[i]));
   }
 
   bool on(Index v) const { return state_.out.onFault(v, static_cast<Index>(fault_)); }
@@ -203,6 +186,7 @@ private:
   void replace(std::size_t t, const std::vector<Triangle>& parts) {
     mesh_.triangles[t] = parts.front();
     for (std::size_t i = 1; i < parts.size(); ++i) {
+      state_.near.push_back(static_cast<Index>(mesh_.triangles.size()));
       mesh_.triangles.push_back(parts[i]);
       if (!state_.home.empty())
         state_.home.push_back(Index(state_.home[t]));

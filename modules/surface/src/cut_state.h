@@ -11,6 +11,7 @@ namespace graben {
 struct CutState {
   CutMesh out;
   std::vector<Index> home;                        ///< see SheetMesh::home; empty if there are none
+  std::vector<Index> near;                        ///< the triangles that may lie on a fault, in rising order
   std::unordered_map<std::uint64_t, Index> cuts;  ///< edge -> fault it runs along
 
   static std::uint64_t edge(Index a, Index b) {

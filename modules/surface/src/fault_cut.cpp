@@ -3,6 +3,7 @@
 #include "cut_state.h"
 
 #include "graben/core/threads.h"
+#include "graben/faults/triangles_near.h"
 
 #include <algorithm>
 
@@ -68,6 +69,7 @@ CutState cutAll(TriangleMesh mesh, const FaultNetwork& faults, const FaultCutOpt
   state.out.vertex_faults.assign(mesh.vertices.size(), {-1, -1});
   state.out.mesh = std::move(mesh);
   state.home = std::move(home);
+  state.near = trianglesNear(faults, state.out.mesh, 2.0 * tolerance, options.threads); // vertices are moved once, by up to the tolerance
   for (std::size_t f = 0; f < faults.size(); ++f)
     cutAlongFault(state, faults, f, tolerance, options.threads);
   return state;

@@ -1,10 +1,11 @@
 #include "cut_state.h"
 
 #include "graben/core/threads.h"
-#include "graben/mesh/adjacency.h"
+#include "graben/mesh/vertex_corners.h"
 
-#include <unordered_map>
-#include <unordered_set>
+#include <algorithm>
+#include <array>
+#include <map>
 
 namespace graben {
 
@@ -23,97 +24,157 @@ void copyVertex(CutMesh& cut, Index from) {
 
 namespace {
 
-/// Walks round vertices from triangle to triangle over edges that are not cut.
+/// Sorts the triangles around a vertex into fans: neighbours are joined over the edges that just two of them have, in opposite directions, and that are
+/// not cut. Triangles that name a vertex twice stay alone.
 class Fans {
 public:
-  Fans(const CutState& state, unsigned threads) : state_(state), mesh_(state.out.mesh), adjacency_(mesh_, threads) {}
+  explicit Fans(const CutState& state) : state_(state) {}
 
-  /// The vertices whose triangles are not all reached from one of them: of each 1, of the others 0.
-  std::vector<std::uint8_t> dividedVertices(unsigned threads) const {
-    std::vector<Index> corner(mesh_.vertices.size(), -1); // one of each vertex
-    std::vector<Index> count(mesh_.vertices.size(), 0);
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      for (std::size_t e = 0; e < 3; ++e) {
-        const auto v = static_cast<std::size_t>(mesh_.triangles[t][e]);
-        corner[v] = static_cast<Index>(3 * t + e);
-        ++count[v];
-      }
-    std::vector<std::uint8_t> divided(mesh_.vertices.size(), 0);
-    parallelFor(divided.size(), 4096, threads, [&](std::size_t v) {
-      if (count[v] == 0)
-        return;
-      Index reached = 0;
-      visit(corner[v], [&reached](Index) { ++reached; });
-      divided[v] = reached != count[v] ? 1 : 0;
-    });
-    return divided;
+  /// \return the number of fans around the vertex
+  std::size_t find(Index vertex, VertexCorners::Range corners) {
+    if (!state_.out.onFault(vertex) && isRing(vertex, corners))
+      return 1;
+    list(vertex, corners);
+    join(vertex);
+    return number();
   }
 
-  /// Calls act(corner) for the corners at the same vertex that are joined to one.
+  /// Calls act(corner, fan) for all corners of the vertex looked at last, if there is more than one fan; they are numbered by their first corners.
   template <typename Act>
-  void visit(Index corner, const Act& act) const {
-    act(corner);
-    for (Index c = afterwards(corner); c != corner; c = afterwards(c)) {
-      if (c < 0) {
-        for (c = before(corner); c >= 0; c = before(c))
-          act(c);
-        return;
-      }
-      act(c);
+  void visit(const Act& act) const {
+    for (const Spoke& s : spokes_)
+      act(s.corner, s.fan);
+  }
+
+private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  /// A triangle as the vertex sees it.
+  struct Spoke {
+    Index corner;
+    Index after, before; ///< the next vertex of the triangle, and the one before
+    bool proper;
+    std::size_t next = kNone, previous = kNone; ///< the triangles it is joined to
+    std::size_t fan = kNone;
+  };
+
+  /// The corners beside one in its triangle.
+  std::array<Index, 2> beside(Index corner) const {
+    const Triangle& t = state_.out.mesh.triangles[static_cast<std::size_t>(corner / 3)];
+    const auto e = static_cast<std::size_t>(corner % 3);
+    return {t[e == 2 ? 0 : e + 1], t[e == 0 ? 2 : e - 1]};
+  }
+
+  /// True if the triangles, not too many, follow each other once round; every edge then has just two of them.
+  bool isRing(Index vertex, VertexCorners::Range corners) const {
+    constexpr std::size_t most = 16;
+    std::array<Index, most> after, before; // NOLINT: filled as far as they are read
+    std::size_t count = 0;
+    for (const Index c : corners) {
+      if (count == most)
+        return false;
+      const auto [a, b] = beside(c);
+      if (a == b || a == vertex || b == vertex)
+        return false;
+      after[count] = a;
+      before[count++] = b;
+    }
+    std::size_t at = 0;
+    for (std::size_t reached = 1; reached <= count; ++reached) {
+      at = static_cast<std::size_t>(std::find(before.data(), before.data() + count, after[at]) - before.data());
+      if (at == 0 || at == count)
+        return at == 0 && reached == count;
+    }
+    return count == 0;
+  }
+
+  void list(Index vertex, VertexCorners::Range corners) {
+    spokes_.clear();
+    for (const Index c : corners) {
+      const auto [after, before] = beside(c);
+      spokes_.push_back({c, after, before, after != before && after != vertex && before != vertex});
     }
   }
 
-  Index vertexAt(Index corner) const { return mesh_.triangles[static_cast<std::size_t>(corner / 3)][static_cast<std::size_t>(corner % 3)]; }
+  void join(Index vertex) {
+    for (std::size_t i = 0; i < spokes_.size(); ++i) {
+      const Index end = spokes_[i].after;
+      std::size_t beyond = kNone;
+      std::size_t meeting = 0;
+      for (std::size_t j = 0; j < spokes_.size(); ++j) {
+        if (!spokes_[j].proper)
+          continue;
+        meeting += (spokes_[j].after == end ? 1U : 0U) + (spokes_[j].before == end ? 1U : 0U);
+        if (spokes_[j].before == end)
+          beyond = j;
+      }
+      if (spokes_[i].proper && meeting == 2 && beyond != kNone && !state_.isCut(vertex, end)) {
+        spokes_[i].next = beyond;
+        spokes_[beyond].previous = i;
+      }
+    }
+  }
 
-private:
-  static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-  static Index previous(Index corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
-  /// The other half of an edge, -1 at a border or a cut.
-  Index across(Index edge) const {
-    const Index twin = adjacency_.twin(edge);
-    return twin >= 0 && !state_.isCut(vertexAt(edge), vertexAt(next(edge))) ? twin : -1;
+  std::size_t number() {
+    std::size_t fans = 0;
+    for (std::size_t i = 0; i < spokes_.size(); ++i) {
+      if (spokes_[i].fan != kNone)
+        continue;
+      for (std::size_t j = i; j != kNone && spokes_[j].fan == kNone; j = spokes_[j].next)
+        spokes_[j].fan = fans;
+      for (std::size_t j = spokes_[i].previous; j != kNone && spokes_[j].fan == kNone; j = spokes_[j].previous)
+        spokes_[j].fan = fans;
+      ++fans;
+    }
+    return fans;
   }
-  /// The corner at the same vertex in the triangle beyond the edge that starts there, and beyond the one that ends there; -1 if there is none. The edges
-  /// of neighbours run in opposite directions.
-  Index afterwards(Index corner) const {
-    const Index twin = across(corner);
-    return twin < 0 ? -1 : next(twin);
-  }
-  Index before(Index corner) const { return across(previous(corner)); }
 
   const CutState& state_;
-  const TriangleMesh& mesh_;
-  EdgeAdjacency adjacency_;
+  std::vector<Spoke> spokes_;
 };
+
+/// A corner of a fan that gets a vertex of its own.
+struct Parting {
+  Index corner;
+  Index vertex;
+  std::size_t fan;
+};
+
+/// The first fan at each vertex keeps the vertex itself. \return the corners of the others in rising order
+std::vector<Parting> findPartings(const CutState& state, unsigned threads) {
+  constexpr std::size_t kGrain = 4096;
+  const VertexCorners corners(state.out.mesh, threads);
+  const std::size_t vertices = state.out.mesh.vertices.size();
+  std::vector<std::vector<Parting>> blocks((vertices + kGrain - 1) / kGrain);
+  parallelBlocks(vertices, kGrain, threads, [&](std::size_t begin, std::size_t end) {
+    Fans fans(state);
+    for (std::size_t v = begin; v < end; ++v) {
+      const auto vertex = static_cast<Index>(v);
+      if (fans.find(vertex, corners.of(v)) > 1)
+        fans.visit([&](Index corner, std::size_t fan) {
+          if (fan > 0)
+            blocks[begin / kGrain].push_back({corner, vertex, fan});
+        });
+    }
+  });
+  std::vector<Parting> all;
+  for (const std::vector<Parting>& block : blocks)
+    all.insert(all.end(), block.begin(), block.end());
+  std::sort(all.begin(), all.end(), [](const Parting& a, const Parting& b) { return a.corner < b.corner; });
+  return all;
+}
 
 } // namespace
 
 void openCuts(CutState& state, unsigned threads) {
   TriangleMesh& mesh = state.out.mesh;
-  const Fans fans(state, threads);
-  const std::vector<std::uint8_t> divided = fans.dividedVertices(threads);
-  std::vector<Index> corners; // at those vertices
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::size_t e = 0; e < 3; ++e)
-      if (divided[static_cast<std::size_t>(mesh.triangles[t][e])] != 0)
-        corners.push_back(static_cast<Index>(3 * t + e));
-
-  // The first fan at each vertex keeps the vertex itself.
-  std::unordered_map<Index, Index> vertex_of; // corner -> vertex
-  std::unordered_set<Index> kept;
-  for (const Index corner : corners) {
-    if (vertex_of.count(corner) != 0)
-      continue;
-    const Index old = fans.vertexAt(corner);
-    Index vertex = old;
-    if (!kept.insert(old).second) {
-      vertex = static_cast<Index>(mesh.vertices.size());
-      copyVertex(state.out, old);
-    }
-    fans.visit(corner, [&](Index c) { vertex_of.emplace(c, vertex); });
+  std::map<std::pair<Index, std::size_t>, Index> made; // vertex and fan -> new vertex
+  for (const Parting& parting : findPartings(state, threads)) {
+    const auto [place, is_new] = made.emplace(std::make_pair(parting.vertex, parting.fan), static_cast<Index>(mesh.vertices.size()));
+    if (is_new)
+      copyVertex(state.out, parting.vertex);
+    mesh.triangles[static_cast<std::size_t>(parting.corner / 3)][static_cast<std::size_t>(parting.corner % 3)] = place->second;
   }
-  for (const Index corner : corners)
-    mesh.triangles[static_cast<std::size_t>(corner / 3)][static_cast<std::size_t>(corner % 3)] = vertex_of.at(corner);
 }
 
 } // namespace graben

@@ -2,6 +2,8 @@
 
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
+#include "graben/faults/triangles_near.h"
+#include "graben/mesh/triangle_bounds.h"
 #include "shapes.h"
 
 #include <gtest/gtest.h>
@@ -140,6 +142,31 @@ TEST(FaultNetwork, NearestAgreesWithBruteForce) {
         network.mayTouch({p - Vector3::Constant(best), p + Vector3::Constant(best)});
     EXPECT_TRUE(touches);
   }
+}
+
+TEST(TrianglesNear, AreThoseWhoseBoxesMayTouchAFault) {
+  const FaultNetwork network = crumpledNetwork();
+  Random random(9);
+  TriangleMesh mesh;
+  for (int i = 0; i < 3000; ++i) {
+    const Vector3 at = random.point(200.0);
+    for (int e = 0; e < 3; ++e)
+      mesh.vertices.push_back(at + random.point(3.0));
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  for (const double reach : {0.0, 5.0}) {
+    std::vector<Index> expected;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const Bounds box = boundsOf(mesh, mesh.triangles[t]);
+      if (network.mayTouch({box.low - Vector3::Constant(reach), box.high + Vector3::Constant(reach)}))
+        expected.push_back(static_cast<Index>(t));
+    }
+    EXPECT_GT(expected.size(), 10U);
+    EXPECT_LT(expected.size(), 2000U);
+    EXPECT_EQ(trianglesNear(network, mesh, reach), expected);
+    EXPECT_EQ(trianglesNear(network, mesh, reach, 3), expected);
+  }
+  EXPECT_TRUE(trianglesNear(FaultNetwork(), mesh, 5.0).empty());
 }
 
 TEST(FaultNetwork, SideOfAPlaneIsTheSignOfItsEquation) {

@@ -1,6 +1,7 @@
 #include "shapes.h"
 
 #include "graben/analysis/bridges.h"
+#include "graben/mesh/adjacency.h"
 #include "graben/mesh/normals.h"
 #include "graben/surface/crumbs.h"
 #include "graben/surface/fault_cut.h"
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
+#include <random>
 
 namespace graben {
 namespace {
@@ -50,6 +53,29 @@ std::map<std::array<double, 3>, int> standing(const CutMesh& cut) {
     if (cut.onFault(static_cast<Index>(v)))
       ++count[{cut.mesh.vertices[v].x(), cut.mesh.vertices[v].y(), cut.mesh.vertices[v].z()}];
   return count;
+}
+
+/// The lowest corner of the fan of each corner.
+std::vector<std::size_t> fansByFlooding(const TriangleMesh& mesh) {
+  const EdgeAdjacency adjacency(mesh);
+  std::vector<std::size_t> fan(3 * mesh.triangles.size());
+  std::iota(fan.begin(), fan.end(), std::size_t{0});
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t edge = 0; edge < fan.size(); ++edge) {
+      const Index twin = adjacency.twin(static_cast<Index>(edge));
+      if (twin < 0)
+        continue;
+      const auto other = static_cast<std::size_t>(twin); // it starts where the edge ends
+      const auto after = [](std::size_t c) { return c % 3 == 2 ? c - 2 : c + 1; };
+      for (const auto& [c, d] : {std::make_pair(edge, after(other)), std::make_pair(after(edge), other)})
+        if (fan[c] != fan[d]) {
+          fan[c] = fan[d] = std::min(fan[c], fan[d]);
+          changed = true;
+        }
+    }
+  }
+  return fan;
 }
 
 TEST(FaultCut, ThroughTheMeshDoublesEveryVertexOnTheFault) {
@@ -196,6 +222,25 @@ TEST(FaultCut, FansThatShareOnlyAVertexAreParted) {
   const CutMesh cut = cutAlongFaults(mesh, FaultNetwork(), {});
   EXPECT_EQ(cut.mesh.vertices.size(), 6U);
   EXPECT_EQ(checkTopology(cut.mesh).components, 2U);
+}
+
+TEST(FaultCut, FansAreThoseOfTheEdgesThatTwoTrianglesShare) {
+  std::mt19937 generator(3);
+  for (int round = 0; round < 300; ++round) {
+    TriangleMesh mesh;
+    for (int v = 0; v < 7; ++v)
+      mesh.vertices.emplace_back(v, v % 3, v % 2);
+    for (int t = 0; t < 3 + round % 12; ++t)
+      mesh.triangles.push_back({static_cast<Index>(generator() % 7), static_cast<Index>(generator() % 7), static_cast<Index>(generator() % 7)});
+    const std::vector<std::size_t> fan = fansByFlooding(mesh);
+    const TriangleMesh cut = cutAlongFaults(mesh, FaultNetwork(), {}).mesh;
+    ASSERT_EQ(cut.triangles.size(), mesh.triangles.size());
+    for (std::size_t c = 0; c < fan.size(); ++c)
+      for (std::size_t d = 0; d < c; ++d) {
+        const bool together = mesh.triangles[c / 3][c % 3] == mesh.triangles[d / 3][d % 3] && fan[c] == fan[d];
+        ASSERT_EQ(cut.triangles[c / 3][c % 3] == cut.triangles[d / 3][d % 3], together) << round << ' ' << c << ' ' << d;
+      }
+  }
 }
 
 TEST(FaultCut, ThreadsMakeNoDifference) {
