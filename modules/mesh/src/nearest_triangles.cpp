@@ -1,5 +1,6 @@
 #include "graben/mesh/nearest_triangles.h"
 
+#include "inside_distance.h"
 #include "triangle_runs.h"
 
 #include "graben/mesh/triangle_bounds.h"
@@ -46,7 +47,9 @@ struct ExactSearch {
   void look(Index t) {
     const Triangle& v = mesh.triangles[static_cast<std::size_t>(t)];
     const auto corner = [&](std::size_t e) -> const Vector3& { return mesh.vertices[static_cast<std::size_t>(v[e])]; };
-    const double d2 = (nearestPointOnTriangle(p, corner(0), corner(1), corner(2)).point - p).squaredNorm();
+    take(t, (nearestPointOnTriangle(p, corner(0), corner(1), corner(2)).point - p).squaredNorm());
+  }
+  void take(Index t, double d2) {
     if (d2 < distance2 || (d2 == distance2 && (triangle < 0 || t < triangle))) {
       distance2 = d2;
       triangle = t;
@@ -100,17 +103,22 @@ void NearestTriangles::findGroup(const Vector3* points, std::size_t count, detai
       findOne(points[p], -1, results.from(p));
     return;
   }
-  if (!detail::searchGroup(runs_->view(*mesh_), prepared, group)) {
+  const detail::RunsView view = runs_->view(*mesh_);
+  if (!detail::searchGroup(view, prepared, group)) {
     findGroup(points, count / 2, group, prepared, results);
     findGroup(points + count / 2, count - count / 2, group, prepared, results.from(count / 2));
     return;
   }
   const double per_length2 = runs_->perLength() * runs_->perLength();
+  std::array<double, detail::PointGroup::kSize> inside; // NOLINT: filled as far as it is read
   std::array<Index, detail::PreparedRuns::kMostAround * detail::kMostInRun> near; // NOLINT: filled as far as it is read
+  detail::distancesInside(view, points->data(), group.triangle, count, inside.data());
   for (std::size_t p = 0; p < count; ++p) {
     const Index found = group.triangle[p];
     ExactSearch search{*mesh_, points[p]};
-    if (found >= 0)
+    if (inside[p] >= 0.0)
+      search.take(found, inside[p]);
+    else if (found >= 0)
       search.look(found);
     const auto distance2 = static_cast<float>(search.distance2 * per_length2 * (1.0 + 1e-6));
     if (!(distance2 < group.reach * group.reach)) {

@@ -2,6 +2,8 @@
 
 #include "graben/core/errors.h"
 #include "graben/mesh/triangle_bvh.h"
+#include "inside_distance.h"
+#include "triangle_runs.h"
 #include "unit/mesh/meshes.h"
 
 #include <gtest/gtest.h>
@@ -95,6 +97,30 @@ TEST(NearestTriangles, PointsOnCornersAndEdgesTakeTheLowestTriangle) {
   for (const Triangle& t : mesh.triangles)
     points.push_back(0.5 * (mesh.vertices[static_cast<std::size_t>(t[0])] + mesh.vertices[static_cast<std::size_t>(t[1])]));
   expectSameAsOneByOne(mesh, points);
+}
+
+TEST(NearestTriangles, DistancesOverTheInsideAreExactToTheLastBit) {
+  std::mt19937_64 generator(9);
+  const TriangleMesh mesh = test::soup(generator, 400, 3.0, 2.0);
+  const detail::TriangleRuns runs(mesh, 1);
+  Points points;
+  std::vector<Index> triangles;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    points.push_back(mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][0])] + test::randomPoint(generator, -1.0, 1.0));
+    triangles.push_back(static_cast<Index>(t));
+  }
+  triangles[5] = -1;
+  std::vector<double> squared(points.size());
+  detail::distancesInside(runs.view(mesh), points.front().data(), triangles.data(), points.size() - 3, squared.data());
+  std::size_t inside = 0;
+  for (std::size_t t = 0; t < points.size() - 3; ++t) {
+    const auto corner = [&](std::size_t e) { return mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][e])]; };
+    const TrianglePoint nearest = nearestPointOnTriangle(points[t], corner(0), corner(1), corner(2));
+    const bool over = triangles[t] >= 0 && nearest.barycentric.minCoeff() > 0.0;
+    ASSERT_EQ(squared[t], over ? (nearest.point - points[t]).squaredNorm() : -1.0) << t;
+    inside += over ? 1 : 0;
+  }
+  EXPECT_GT(inside, 20U);
 }
 
 TEST(NearestTriangles, OfAMeshInNoOrder) {
