@@ -14,7 +14,7 @@ public:
   LeftOutPicks(const LocalFit& fit, const std::vector<LocalModel>& models);
 
   static constexpr double kNone = -1.0;
-  static constexpr std::size_t kPerPlace = 4;
+  static constexpr std::size_t kPerPlace = 8;
 
   /// Leaves out, one at a time, the kPerPlace picks nearest to the middle of those around a pick: what is fitted to the others is nearly the same for
   /// all of them.

@@ -11,11 +11,11 @@ namespace graben {
 
 namespace {
 
-constexpr std::size_t kSample = 600; // picks about which others are left out
+constexpr std::size_t kSample = 300; // places about which picks are left out
 constexpr std::size_t kFewest = 20; // picks a choice can be made from
 constexpr std::size_t kFewestAtEdge = 100;
 constexpr double kOneSided = 0.3; // of its neighbourhood's radius: how far the centroid lies from a pick at the data's edge
-constexpr std::size_t kFirstLook = 200; // of these, on which all models are tried
+constexpr std::size_t kFirstLook = 100; // of these, on which all models are tried
 constexpr std::size_t kShortList = 6;   // models that are tried on all
 constexpr LocalModel kModels[] = {{1, 8},   {1, 12},  {1, 18},  {1, 27},  {1, 40}, {1, 60}, {1, 90}, {2, 14},  {2, 25},  {2, 40},  {2, 60},  {2, 90},
                                   {2, 140}, {2, 200}, {2, 300}, {3, 25}, {3, 40}, {3, 60}, {3, 90}, {3, 140}, {3, 200}, {3, 300}, {3, 400}};
@@ -44,7 +44,7 @@ void thin(std::vector<Index>& picks) {
 /// Up to kSample picks with a plane of each kind, evenly through the grid's order; those at the data's edge are among those away from faults too.
 Samples samplePicks(const LocalFit& fit, double zone_width, unsigned threads) {
   const std::vector<Index>& order = fit.grid().order();
-  const std::size_t step = std::max<std::size_t>(1, order.size() / (64 * kSample));
+  const std::size_t step = std::max<std::size_t>(1, order.size() / (128 * kSample));
   std::vector<std::int8_t> kinds((order.size() + step - 1) / step, -1);
   parallelFor(kinds.size(), 256, threads, [&](std::size_t i) {
     const auto p = static_cast<std::size_t>(order[i * step]);

@@ -18,6 +18,42 @@ void growTo(std::size_t count, std::vector<Value>& values) {
     values.resize(count + count / 2);
 }
 
+struct Box {
+  double low[3] = {kInfinity, kInfinity, kInfinity};
+  double high[3] = {-kInfinity, -kInfinity, -kInfinity};
+};
+
+Box boxOf(const PickBlock& block) {
+  Box box;
+  for (std::size_t i = 0; i < PickBlock::kSize; ++i) {
+    if (block.x[i] != block.x[i])
+      continue;
+    const double place[3] = {block.x[i], block.y[i], block.z[i]};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.low[axis] = place[axis] < box.low[axis] ? place[axis] : box.low[axis];
+      box.high[axis] = place[axis] > box.high[axis] ? place[axis] : box.high[axis];
+    }
+  }
+  return box;
+}
+
+Box boxAround(const BlockBoxes& boxes) {
+  Box box;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      box.low[axis] = std::min(box.low[axis], boxes.low[axis][lane]);
+      box.high[axis] = std::max(box.high[axis], boxes.high[axis][lane]);
+    }
+  return box;
+}
+
+void put(const Box& box, std::size_t number, std::vector<BlockBoxes>& boxes) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    boxes[number / kLanes].low[axis][number % kLanes] = box.low[axis];
+    boxes[number / kLanes].high[axis][number % kLanes] = box.high[axis];
+  }
+}
+
 /// How far a place is below or above each of several spans.
 [[gnu::always_inline]] inline void distanceTo(const double* low, const double* high, double place, Lanes& distance) {
   Lanes below, above;
@@ -29,16 +65,30 @@ void growTo(std::size_t count, std::vector<Value>& values) {
   distance = distance > 0.0 ? distance : Lanes{};
 }
 
-GRABEN_AVX2_CLONE std::size_t findBoxes(const BlockBoxes* boxes, std::size_t count, const double* place, double squared_distance, std::int32_t* near) {
+[[gnu::always_inline]] inline void findNear(const BlockBoxes& boxes, const double* place, double squared_distance, LaneMask& near) {
+  Lanes x, y, z;
+  distanceTo(boxes.low[0], boxes.high[0], place[0], x);
+  distanceTo(boxes.low[1], boxes.high[1], place[1], y);
+  distanceTo(boxes.low[2], boxes.high[2], place[2], z);
+  near = x * x + y * y + z * z <= squared_distance;
+}
+
+/// The numbers of the boxes near a place. \param[in] around boxes around all of each of the others
+GRABEN_AVX2_CLONE std::size_t findBoxes(const BlockBoxes* around, std::size_t count, const BlockBoxes* boxes, const double* place,
+                                        double squared_distance, std::int32_t* near) {
   std::size_t found = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    Lanes x, y, z;
-    distanceTo(boxes[i].low_x, boxes[i].high_x, place[0], x);
-    distanceTo(boxes[i].low_y, boxes[i].high_y, place[1], y);
-    distanceTo(boxes[i].low_z, boxes[i].high_z, place[2], z);
-    const Packing within(x * x + y * y + z * z <= squared_distance);
-    within.storeNumbers(static_cast<std::int32_t>(i * kLanes), near + found);
-    found += within.count();
+    LaneMask within;
+    findNear(around[i], place, squared_distance, within);
+    const Packing groups(within);
+    std::int32_t group[kLanes];
+    groups.storeNumbers(static_cast<std::int32_t>(i * kLanes), group);
+    for (std::size_t g = 0; g < groups.count(); ++g) {
+      findNear(boxes[group[g]], place, squared_distance, within);
+      const Packing blocks(within);
+      blocks.storeNumbers(group[g] * static_cast<std::int32_t>(kLanes), near + found);
+      found += blocks.count();
+    }
   }
   return found;
 }
@@ -110,40 +160,19 @@ void PickBlocks::add(const PickRun& run, const double* normals) {
 void PickBlocks::close() {
   for (std::size_t i = count_; i % PickBlock::kSize != 0; ++i) // found by nobody
     blocks_[i / PickBlock::kSize].x[i % PickBlock::kSize] = kNaN;
-  const std::size_t blocks = (count_ + PickBlock::kSize - 1) / PickBlock::kSize;
-  growTo(roundUpToLanes(blocks) / kLanes, boxes_);
-  for (std::size_t b = 0; b < blocks; ++b)
-    setBox(b);
-  for (std::size_t b = blocks; b < roundUpToLanes(blocks); ++b)
-    boxes_[b / kLanes].low_x[b % kLanes] = kInfinity;
-}
-
-void PickBlocks::setBox(std::size_t number) {
-  const PickBlock& block = blocks_[number];
-  double low[3] = {kInfinity, kInfinity, kInfinity}, high[3] = {-kInfinity, -kInfinity, -kInfinity};
-  for (std::size_t i = 0; i < PickBlock::kSize; ++i) {
-    if (block.x[i] != block.x[i])
-      continue;
-    const double place[3] = {block.x[i], block.y[i], block.z[i]};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = place[axis] < low[axis] ? place[axis] : low[axis];
-      high[axis] = place[axis] > high[axis] ? place[axis] : high[axis];
-    }
-  }
-  BlockBoxes& boxes = boxes_[number / kLanes];
-  const std::size_t lane = number % kLanes;
-  boxes.low_x[lane] = low[0];
-  boxes.low_y[lane] = low[1];
-  boxes.low_z[lane] = low[2];
-  boxes.high_x[lane] = high[0];
-  boxes.high_y[lane] = high[1];
-  boxes.high_z[lane] = high[2];
+  const std::size_t blocks = (count_ + PickBlock::kSize - 1) / PickBlock::kSize, groups = (blocks + kLanes - 1) / kLanes;
+  around_count_ = (groups + kLanes - 1) / kLanes;
+  growTo(kLanes * around_count_, boxes_);
+  growTo(around_count_, around_);
+  for (std::size_t b = 0; b < kLanes * kLanes * around_count_; ++b)
+    put(b < blocks ? boxOf(blocks_[b]) : Box(), b, boxes_);
+  for (std::size_t g = 0; g < kLanes * around_count_; ++g)
+    put(boxAround(boxes_[g]), g, around_);
 }
 
 std::size_t PickBlocks::findNear(const std::array<double, 3>& place, double squared_distance) {
-  const std::size_t blocks = roundUpToLanes((count_ + PickBlock::kSize - 1) / PickBlock::kSize);
-  growTo(blocks + kLanes, near_);
-  near_count_ = findBoxes(boxes_.data(), blocks / kLanes, place.data(), squared_distance, near_.data());
+  growTo(kLanes * (kLanes * around_count_ + 1), near_);
+  near_count_ = findBoxes(around_.data(), around_count_, boxes_.data(), place.data(), squared_distance, near_.data());
   return near_count_ * PickBlock::kSize;
 }
 

@@ -31,7 +31,7 @@ struct PickBlock {
 
 /// The boxes around kLanes blocks.
 struct BlockBoxes {
-  double low_x[kLanes], low_y[kLanes], low_z[kLanes], high_x[kLanes], high_y[kLanes], high_z[kLanes];
+  double low[3][kLanes], high[3][kLanes];
 };
 
 /// Picks copied into small blocks, those that follow each other together, for many questions which of them lie around a place.
@@ -57,12 +57,12 @@ public:
   std::size_t collect(const DiscQuery& query, const PickArrays& out) const;
 
 private:
-  void setBox(std::size_t block);
-
   std::size_t count_ = 0; ///< picks; the arrays may be longer
   std::unique_ptr<PickBlock[]> blocks_;
   std::size_t capacity_ = 0; ///< blocks
-  std::vector<BlockBoxes> boxes_;
+  std::vector<BlockBoxes> boxes_;  ///< of the blocks
+  std::vector<BlockBoxes> around_; ///< around kLanes of these each
+  std::size_t around_count_ = 0;
   std::vector<std::int32_t> near_;
   std::size_t near_count_ = 0;
 };

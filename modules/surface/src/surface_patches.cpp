@@ -15,7 +15,8 @@ namespace {
 constexpr double kPerSupport = 6.0; // patches in the support of one
 constexpr double kShare = 0.75;     // of its support's radius to which a patch is used
 constexpr double kLeastWeight = 0.05; // of all patches together, for a place among the picks
-constexpr double kTogether = 7.0; // radii of a support, across patches whose picks are looked up at once
+constexpr double kTogether = 8.0; // radii of a support, across patches whose picks are looked up at once
+constexpr std::size_t kBothSides = 2; // times the picks are looked at where those on one side of a fault count
 constexpr double kTilt = 0.95; // cosine of the angle between a patch's plane and its surface beyond which it is fitted again
 constexpr double kNormalLimit = 0.34;
 constexpr std::size_t kNarrowest = 14;
@@ -91,7 +92,7 @@ std::size_t SurfacePatches::lookAround(std::size_t i, std::size_t end, LocalFit:
   end = growOver(i, end, most, centreOf, box);
   std::size_t widest = 0;
   for (; i < end; ++i)
-    widest = std::max(widest, models_[i].neighbors);
+    widest = std::max(widest, (is_near_[i] != 0 ? kBothSides : 1) * models_[i].neighbors);
   fit_.lookAround(grown(box, 0.01 * most), widest, scratch);
   return end;
 }

@@ -141,8 +141,8 @@ struct ModelChoice {
   LocalModel edge = {};
 };
 
-/// Chooses the support from the data by leave-one-out prediction of up to 2,400 picks of each kind: without noise few picks and a high degree win and
-/// detail is kept; with noise more picks win until the surface's own curvature tells.
+/// Chooses the support from the data by leave-one-out prediction of up to 2,400 picks of each kind, eight about a place: without noise few picks and
+/// a high degree win and detail is kept; with noise more picks win until the surface's own curvature tells.
 /// \param[in] zone_width picks within this distance of a fault count as near
 ModelChoice chooseModels(const LocalFit& fit, double zone_width, unsigned threads);
 
