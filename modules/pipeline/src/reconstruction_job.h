@@ -49,6 +49,7 @@ private:
   void fit();
   void refineLocally();
   void tidy();
+  std::size_t smallestPiece() const;
   SignedDistanceOptions distanceOptions() const;
   Vector3 latticeOrigin() const;
 

@@ -81,8 +81,15 @@ void ReconstructionJob::cut(SheetMesh sheets) {
   o.tolerance = surface_defaults::kCutTolerance * result_.report.used.voxel_size;
   o.threads = options_.threads;
   cut_ = cutSheets(std::move(sheets), faultsUnless(options_.skip.cut), o);
-  result_.report.crumbs_removed = removeCrumbs(cut_, surface_defaults::kCrumb, options_.threads);
+  result_.report.crumbs_removed = removeCrumbs(cut_, smallestPiece(), options_.threads);
   corners_.emplace(cut_.mesh, options_.threads);
+}
+
+/// Triangles of the smallest piece that picks a ball of radius rho apart, and off by delta, tell from what is left over between the walls of a fault: as
+/// many as cover a square of twice that width.
+std::size_t ReconstructionJob::smallestPiece() const {
+  const double cells = std::pow(2.0 * rhoPlusDelta() / result_.report.used.voxel_size, 2);
+  return std::max(surface_defaults::kCrumb, static_cast<std::size_t>(2.0 * cells));
 }
 
 void ReconstructionJob::fit() {
@@ -125,7 +132,7 @@ void ReconstructionJob::tidy() {
   TidyingInput input{grid_, planes_.normals, faults_};
   input.pick_reach = report.used.fault_reach;
   input.on_fault = kOnFault * report.used.voxel_size;
-  input.crumb = surface_defaults::kCrumb;
+  input.crumb = smallestPiece();
   const TidyingResult tidied = graben::tidy(cut_, *corners_, input, options_.threads);
   report.folds_removed = tidied.folds;
   report.bridges_removed = tidied.bridges;
