@@ -85,9 +85,11 @@ void ReconstructionJob::cut(SheetMesh sheets) {
   corners_.emplace(cut_.mesh, options_.threads);
 }
 
-/// Triangles of the smallest piece that picks a ball of radius rho apart, and off by delta, tell from what is left over between the walls of a fault: as
-/// many as cover a square of twice that width.
+/// Triangles of the smallest piece that is told from what is left over between the walls of a fault: as many as cover a square of twice rho + delta, below
+/// which picks say nothing of a surface.
 std::size_t ReconstructionJob::smallestPiece() const {
+  if (faults_.empty())
+    return surface_defaults::kCrumb;
   const double cells = std::pow(2.0 * rhoPlusDelta() / result_.report.used.voxel_size, 2);
   return std::max(surface_defaults::kCrumb, static_cast<std::size_t>(2.0 * cells));
 }

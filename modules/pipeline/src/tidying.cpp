@@ -15,6 +15,7 @@ namespace graben {
 namespace {
 
 constexpr int kRounds = 4;
+constexpr int kBeforeSliding = 2; // rounds
 
 void sortOnce(std::vector<Index>& values) {
   std::sort(values.begin(), values.end());
@@ -36,7 +37,10 @@ public:
     return trianglesAgainstPicks(cut_.mesh, triangles_, input_.grid, input_.pick_normals, input_.pick_reach);
   }
 
-  void relax(const std::vector<Index>& triangles) {
+  /// \param[in] slide whether vertices on faults move too, along them
+  void relax(const std::vector<Index>& triangles, bool slide) {
+    if (slide)
+      relaxAlongFaults(cut_, corners_, triangles, input_.faults);
     relaxTriangles(cut_, corners_, triangles);
     relaxed_.insert(relaxed_.end(), triangles.begin(), triangles.end());
     const std::vector<Index> moved = around(triangles);
@@ -82,9 +86,10 @@ private:
 /// \return false if the last round was not the first to find nothing
 bool unfold(Suspects& suspects) {
   for (int round = 0; round < kRounds; ++round) {
-    suspects.relax(suspects.turned());
-    suspects.relax(suspects.folded());
-    suspects.relax(suspects.againstPicks());
+    const bool slide = round >= kBeforeSliding;
+    suspects.relax(suspects.turned(), slide);
+    suspects.relax(suspects.folded(), slide);
+    suspects.relax(suspects.againstPicks(), slide);
     if (!suspects.renew())
       return true;
   }

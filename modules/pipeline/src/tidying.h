@@ -26,7 +26,8 @@ struct TidyingResult {
 
 /// Smooths away triangles that are folded over or, near faults, turned against the picks, and removes those that stay so or reach over a fault.
 ///
-/// The whole mesh is looked at once; then only around what was moved. Vertices on faults stay. Not more than four rounds of smoothing.
+/// The whole mesh is looked at once; then only around what was moved. Not more than four rounds of smoothing, vertices on faults staying in the first
+/// two.
 /// \param[in,out] cut      has its normals afterwards
 /// \param[in,out] corners  of the mesh, before and after
 /// \param[in] threads 0: one per processor; the result is the same for every number

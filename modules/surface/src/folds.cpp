@@ -1,10 +1,13 @@
 #include "graben/surface/folds.h"
 
+#include "vertex_moves.h"
+
 #include "graben/core/threads.h"
 #include "graben/mesh/adjacency.h"
 #include "graben/mesh/normals.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace graben {
 
@@ -37,6 +40,38 @@ bool isAtBorder(const TriangleMesh& mesh, const VertexCorners& corners, Index t)
   return false;
 }
 
+/// The vertices next to one along the border.
+std::vector<Index> alongBorder(const TriangleMesh& mesh, VertexCorners::Range corners) {
+  std::vector<Index> found;
+  for (const Index corner : corners) {
+    const Triangle& t = mesh.triangles[static_cast<std::size_t>(corner / 3)];
+    const auto e = static_cast<std::size_t>(corner % 3);
+    if (twinOf(mesh, corners, corner) == EdgeAdjacency::kBorder)
+      found.push_back(t[(e + 1) % 3]);
+    if (twinOf(mesh, corners, e == 0 ? corner + 2 : corner - 1) == EdgeAdjacency::kBorder)
+      found.push_back(t[(e + 2) % 3]);
+  }
+  return found;
+}
+
+/// Moves all corners of some triangles at once to where place_of(vertex, place) says, those for which it is true.
+template <typename PlaceOf>
+void moveCorners(CutMesh& cut, const std::vector<Index>& triangles, const PlaceOf& place_of) {
+  std::vector<Index> vertices;
+  for (const Index t : triangles)
+    for (const Index v : cut.mesh.triangles[static_cast<std::size_t>(t)])
+      vertices.push_back(v);
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::vector<std::pair<Index, Vector3>> moves;
+  Vector3 place;
+  for (const Index v : vertices)
+    if (place_of(v, place))
+      moves.emplace_back(v, place);
+  for (const auto& [v, to] : moves)
+    cut.mesh.vertices[static_cast<std::size_t>(v)] = to;
+}
+
 } // namespace
 
 std::vector<Index> standingOut(const TriangleMesh& mesh, unsigned threads) {
@@ -60,16 +95,9 @@ std::vector<Index> turnedTriangles(const TriangleMesh& mesh, const VertexCorners
 }
 
 void relaxTriangles(CutMesh& cut, const VertexCorners& corners, const std::vector<Index>& triangles) {
-  std::vector<Index> vertices;
-  for (const Index t : triangles)
-    for (const Index v : cut.mesh.triangles[static_cast<std::size_t>(t)])
-      if (!cut.onFault(v))
-        vertices.push_back(v);
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-
-  Points places;
-  for (const Index v : vertices) {
+  moveCorners(cut, triangles, [&](Index v, Vector3& place) {
+    if (cut.onFault(v))
+      return false;
     Vector3 sum = Vector3::Zero();
     int count = 0;
     for (const Index corner : corners.of(static_cast<std::size_t>(v))) {
@@ -78,10 +106,23 @@ void relaxTriangles(CutMesh& cut, const VertexCorners& corners, const std::vecto
       sum += cut.mesh.vertices[static_cast<std::size_t>(t[(c + 1) % 3])] + cut.mesh.vertices[static_cast<std::size_t>(t[(c + 2) % 3])];
       count += 2;
     }
-    places.emplace_back(sum / count);
-  }
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    cut.mesh.vertices[static_cast<std::size_t>(vertices[i])] = places[i];
+    place = sum / count;
+    return true;
+  });
+}
+
+void relaxAlongFaults(CutMesh& cut, const VertexCorners& corners, const std::vector<Index>& triangles, const FaultNetwork& faults) {
+  moveCorners(cut, triangles, [&](Index v, Vector3& place) {
+    const auto& on = cut.vertex_faults[static_cast<std::size_t>(v)];
+    if (on[0] < 0 || on[1] >= 0)
+      return false;
+    const std::vector<Index> beside = alongBorder(cut.mesh, corners.of(static_cast<std::size_t>(v)));
+    if (beside.size() != 2 || !cut.onFault(beside[0], on[0]) || !cut.onFault(beside[1], on[0]))
+      return false;
+    const auto placeOf = [&](Index w) { return cut.mesh.vertices[static_cast<std::size_t>(w)]; };
+    place = ontoFaults(faults, on, 0.5 * (placeOf(beside[0]) + placeOf(beside[1])));
+    return true;
+  });
 }
 
 } // namespace graben

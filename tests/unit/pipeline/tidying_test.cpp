@@ -56,6 +56,8 @@ TidyingResult tidyByLookingAtAll(Crumpled& c) {
   for (int round = 0; round < 4; ++round) {
     std::size_t found = 0;
     const auto relax = [&](const std::vector<Index>& triangles) {
+      if (round >= 2)
+        relaxAlongFaults(c.cut, corners, triangles, c.faults);
       relaxTriangles(c.cut, corners, triangles);
       found += triangles.size();
     };

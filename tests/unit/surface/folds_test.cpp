@@ -89,5 +89,24 @@ TEST(RelaxTriangles, VerticesOnAFaultStay) {
   EXPECT_LT(cut.mesh.vertices[6].z(), 2.0);
 }
 
+TEST(RelaxAlongFaults, VerticesThatHaveSlidPastEachOtherComeApart) {
+  CutMesh cut = square(4);
+  for (const std::size_t v : {0U, 1U, 2U, 3U, 4U})
+    cut.vertex_faults[v] = {0, -1}; // the border at y = 0
+  cut.vertex_faults[4] = {0, 1};
+  std::swap(cut.mesh.vertices[1], cut.mesh.vertices[2]);
+  cut.mesh.vertices[6].z() = 1.0;
+  TriangleMesh wall;
+  wall.vertices = {{-9, 0.25, -9}, {9, 0.25, -9}, {9, 0.25, 9}, {-9, 0.25, 9}};
+  wall.triangles = {{0, 1, 2}, {0, 2, 3}};
+  const FaultNetwork faults(std::vector<FaultSurface>{FaultSurface::fromMesh("wall", wall)});
+  relaxAlongFaults(cut, VertexCorners(cut.mesh), all(cut.mesh), faults);
+  EXPECT_TRUE(cut.mesh.vertices[1].isApprox(Vector3(0.5, 0.25, 0.0)));
+  EXPECT_TRUE(cut.mesh.vertices[2].isApprox(Vector3(2.5, 0.25, 0.0)));
+  EXPECT_EQ(cut.mesh.vertices[0], Vector3(0, 0, 0)) << "its other neighbour on the border is on no fault";
+  EXPECT_EQ(cut.mesh.vertices[4], Vector3(4, 0, 0)) << "on two faults";
+  EXPECT_EQ(cut.mesh.vertices[6].z(), 1.0) << "on none";
+}
+
 } // namespace
 } // namespace graben

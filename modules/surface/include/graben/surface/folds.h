@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/faults/fault_network.h"
 #include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
 
@@ -21,5 +22,9 @@ std::vector<Index> turnedTriangles(const TriangleMesh& mesh, const VertexCorners
 
 /// Moves the corners of the triangles named, those on no fault, to the mean of their neighbours. \param[in] corners of the mesh
 void relaxTriangles(CutMesh& cut, const VertexCorners& corners, const std::vector<Index>& triangles);
+
+/// Moves the corners of the triangles named that lie on one fault alone to the middle between their neighbours along the border there, and back onto the
+/// fault: where they have slid past each other, smoothing beside them does not help. \param[in] corners of the mesh
+void relaxAlongFaults(CutMesh& cut, const VertexCorners& corners, const std::vector<Index>& triangles, const FaultNetwork& faults);
 
 } // namespace graben
