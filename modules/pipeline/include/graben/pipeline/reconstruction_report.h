@@ -70,7 +70,7 @@ struct ReconstructionReport {
   std::size_t rejected_by_flip_angle = 0;
   std::size_t folds_removed = 0;         ///< triangles still folded over after the fit, left out of the mesh
   std::size_t bridges_removed = 0;       ///< triangles that still reached over a fault after the fit, left out of the mesh
-  std::size_t crumbs_removed = 0;        ///< components left out of the mesh: of under 20 triangles or, with faults, of less than (2 (rho + delta))^2
+  std::size_t crumbs_removed = 0;        ///< components left out: of under 20 triangles or, with faults, (2 (rho + delta))^2
   DistanceStatistics zone_before_fit;    ///< E(M, X) over the picks in the zone
   DistanceStatistics zone_after_fit;
   DistanceStatistics all_picks;          ///< over all picks, after the fit
