@@ -191,8 +191,8 @@ std::array<std::uint64_t, 12> FaultedCells::crossings(const LatticeIndex& cell) 
 }
 
 /// Only for cells with a crossed edge, all of whose edges have been looked at.
-const FaultedCells::Division& FaultedCells::divisionOf(const LatticeIndex& cell, Divisions& known) const {
-  const auto [entry, added] = known.try_emplace(latticeKey(cell));
+const FaultedCells::Division& FaultedCells::divisionOf(const LatticeIndex& cell, Known& known) const {
+  const auto [entry, added] = known.divisions.try_emplace(latticeKey(cell));
   if (added) {
     entry->second.crossed = crossings(cell);
     entry->second.groups = cornerGroups(entry->second.crossed);
@@ -201,7 +201,14 @@ const FaultedCells::Division& FaultedCells::divisionOf(const LatticeIndex& cell,
 }
 
 /// True if what lies between the two sides ends in a cell around the vertex: some edge there is crossed and yet its ends are joined round the end.
-bool FaultedCells::nearTip(const LatticeIndex& vertex, std::uint64_t signature, Divisions& known) const {
+bool FaultedCells::nearTip(const LatticeIndex& vertex, std::uint64_t signature, Known& known) const {
+  const auto [entry, added] = known.near_tip.try_emplace(GhostKey{latticeKey(vertex), signature});
+  if (added)
+    entry->second = findTip(vertex, signature, known);
+  return entry->second;
+}
+
+bool FaultedCells::findTip(const LatticeIndex& vertex, std::uint64_t signature, Known& known) const {
   for (const LatticeIndex& corner : cube::kCorner) {
     if (!isCrossed(vertex - corner)) {
       if (signature == 0)
@@ -220,7 +227,7 @@ bool FaultedCells::nearTip(const LatticeIndex& vertex, std::uint64_t signature, 
 std::vector<std::vector<CellCopy>> FaultedCells::copies(const std::vector<LatticeIndex>& cells) {
   std::vector<std::vector<CellCopy>> result(cells.size());
   parallelBlocks(cells.size(), 256, threads_, [&](std::size_t begin, std::size_t end) {
-    Divisions known;
+    Known known;
     for (std::size_t i = begin; i < end; ++i)
       result[i] = copiesOf(cells[i], known);
   });
@@ -233,7 +240,7 @@ std::vector<std::vector<CellCopy>> FaultedCells::copies(const std::vector<Lattic
 }
 
 /// With ghosts not numbered yet, all 0.
-std::vector<CellCopy> FaultedCells::copiesOf(const LatticeIndex& cell, Divisions& known) const {
+std::vector<CellCopy> FaultedCells::copiesOf(const LatticeIndex& cell, Known& known) const {
   std::vector<CellCopy> result;
   if (!isCrossed(cell))
     return result;
@@ -262,7 +269,7 @@ std::vector<CellCopy> FaultedCells::copiesOf(const LatticeIndex& cell, Divisions
   return result;
 }
 
-LatticeIndex FaultedCells::seedOf(const LatticeIndex& ghost, const LatticeIndex& own, Divisions& known) const {
+LatticeIndex FaultedCells::seedOf(const LatticeIndex& ghost, const LatticeIndex& own, Known& known) const {
   VertexSets sets(ghost);
   std::uint64_t only = 0;
   bool several_faults = false;

@@ -40,7 +40,7 @@ private:
   using EdgeKey = std::uint64_t;
   struct GhostKey {
     std::uint64_t vertex;
-    std::uint64_t seed;
+    std::uint64_t seed; ///< or signature
     bool operator==(const GhostKey& o) const { return vertex == o.vertex && seed == o.seed; }
   };
   struct GhostHash {
@@ -53,7 +53,11 @@ private:
     std::array<int, 8> groups{};
   };
 
-  using Divisions = std::unordered_map<std::uint64_t, Division>; ///< of cells with a crossed edge that were asked about
+  /// What was found out about some cells, which lie beside each other.
+  struct Known {
+    std::unordered_map<std::uint64_t, Division> divisions;  ///< of cells with a crossed edge
+    std::unordered_map<GhostKey, bool, GhostHash> near_tip; ///< by vertex and signature
+  };
 
   /// A block of the lattice with edges that were looked at, by their low ends.
   struct EdgeBlock {
@@ -69,10 +73,11 @@ private:
   void findWanted();
   bool isCrossed(const LatticeIndex& cell) const;
   std::array<std::uint64_t, 12> crossings(const LatticeIndex& cell) const;
-  std::vector<CellCopy> copiesOf(const LatticeIndex& cell, Divisions& known) const;
-  const Division& divisionOf(const LatticeIndex& cell, Divisions& known) const;
-  bool nearTip(const LatticeIndex& vertex, std::uint64_t signature, Divisions& known) const;
-  LatticeIndex seedOf(const LatticeIndex& ghost, const LatticeIndex& own, Divisions& known) const;
+  std::vector<CellCopy> copiesOf(const LatticeIndex& cell, Known& known) const;
+  const Division& divisionOf(const LatticeIndex& cell, Known& known) const;
+  bool nearTip(const LatticeIndex& vertex, std::uint64_t signature, Known& known) const;
+  bool findTip(const LatticeIndex& vertex, std::uint64_t signature, Known& known) const;
+  LatticeIndex seedOf(const LatticeIndex& ghost, const LatticeIndex& own, Known& known) const;
   Index ghostOf(const LatticeIndex& vertex, const LatticeIndex& seed);
 
   const FaultNetwork& faults_;

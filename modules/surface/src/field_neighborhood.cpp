@@ -9,6 +9,7 @@ namespace graben {
 
 namespace {
 
+constexpr std::size_t kLine = 64; // bytes of memory that come together
 constexpr std::size_t kMost = 1000; // picks to look through; a query of the grid costs as much as about half as many
 
 bool closer(const Neighbor& a, const Neighbor& b) {
@@ -44,8 +45,11 @@ double NearbyPicks::reachAt(const Vector3& v) const { return reach_ + (v - box_.
 void NearbyPicks::collect(const FieldData& data) {
   data.grid.runsAround(box_, reach_, runs_);
   std::size_t most = 0;
-  for (const PointRun& run : runs_)
+  for (const PointRun& run : runs_) {
     most += run.count;
+    for (std::size_t i = 0; i < run.count; i += kLine / sizeof(Vector3))
+      __builtin_prefetch(run.points + i);
+  }
   for (std::vector<float>* values : {&near_x_, &near_y_, &near_z_})
     values->resize(std::max(most, values->size()));
   index_.resize(std::max(most, index_.size()));
@@ -68,7 +72,7 @@ void NearbyPicks::collect(const FieldData& data) {
     }
   count_ = count;
   points_ = data.grid.points().data();
-  normals_ = data.planes.normals.data();
+  planes_ = &data.planes;
 }
 
 /// Puts the picks on the same sides of the faults together.
@@ -232,6 +236,8 @@ unsigned NearbyPicks::nearestOfAll(std::size_t wanted, const double* reaches, Pl
       blend.index[k][p] = index_[i];
       for (int axis = 0; axis < 3; ++axis)
         blend.pick[k][axis][p] = place(i)[axis];
+      __builtin_prefetch(planes_->centres.data() + index_[i]);
+      __builtin_prefetch(planes_->normals.data() + index_[i]);
     }
   }
   measure(blend);

@@ -62,7 +62,10 @@ private:
   double knownBound(int sides, std::size_t wanted, double reach) const;
   void take(std::size_t pick, std::size_t wanted);
   bool noneNearer(const Group& group, float left_out, double squared_distance) const;
-  bool hasPlane(Index pick) const { return normals_[pick].x() == normals_[pick].x(); }
+  bool hasPlane(Index pick) const {
+    const double x = planes_->normals[static_cast<std::size_t>(pick)].x();
+    return x == x;
+  }
   const Vector3& place(std::size_t i) const { return points_[index_[i]]; }
   double squaredDistance(std::size_t i, const Vector3& v) const {
     const Vector3& p = place(i);
@@ -78,7 +81,7 @@ private:
   LocalFaults faults_;
   std::vector<PointRun> runs_;
   const Vector3* points_ = nullptr;
-  const Vector3* normals_ = nullptr;
+  const TangentPlanes* planes_ = nullptr;
   std::size_t count_ = 0;                       ///< of picks; arrays may be longer
   std::vector<Index> index_;                    ///< of each, by groups
   std::vector<float> near_x_, near_y_, near_z_; ///< where they are from the centre, scaled
