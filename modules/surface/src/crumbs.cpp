@@ -1,8 +1,7 @@
 #include "graben/surface/crumbs.h"
 
-#include "cut_state.h"
+#include "fans.h"
 
-#include "graben/mesh/adjacency.h"
 #include "graben/mesh/components.h"
 
 #include <algorithm>
@@ -29,37 +28,6 @@ std::size_t dropSmall(CutMesh& cut, const Components& components, std::size_t le
   return static_cast<std::size_t>(std::count_if(counts.begin(), counts.end(), [least](std::size_t n) { return 0 < n && n < least; }));
 }
 
-Index startOf(const TriangleMesh& mesh, Index half_edge) {
-  return mesh.triangles[static_cast<std::size_t>(half_edge / 3)][static_cast<std::size_t>(half_edge % 3)];
-}
-
-/// The corners at a vertex, those of triangles without edges left out, in groups that hang together over edges.
-std::vector<std::vector<Index>> fansAt(const TriangleMesh& mesh, VertexCorners::Range corners) {
-  const auto previous = [](Index c) { return c % 3 == 0 ? c + 2 : c - 1; };
-  const auto next = [](Index c) { return c % 3 == 2 ? c - 2 : c + 1; };
-  std::vector<std::vector<Index>> fans;
-  std::vector<Index> reached;
-  const auto reach = [&](Index corner) {
-    if (corner < 0 || std::find(reached.begin(), reached.end(), corner) != reached.end())
-      return;
-    reached.push_back(corner);
-    fans.back().push_back(corner);
-  };
-  for (const Index c : corners) {
-    if (startOf(mesh, c) == startOf(mesh, next(c)) || std::find(reached.begin(), reached.end(), c) != reached.end())
-      continue;
-    fans.emplace_back();
-    reach(c);
-    for (std::size_t i = 0; i < fans.back().size(); ++i) {
-      const Index corner = fans.back()[i];
-      const Index twin = twinOf(mesh, corners, corner);
-      reach(twin < 0 ? -1 : next(twin));
-      reach(twinOf(mesh, corners, previous(corner)));
-    }
-  }
-  return fans;
-}
-
 } // namespace
 
 std::size_t removeCrumbs(CutMesh& cut, std::size_t least, unsigned threads) {
@@ -83,14 +51,23 @@ std::size_t TriangleRemoval::take(const std::vector<Index>& triangles) {
 }
 
 void TriangleRemoval::divide(Index vertex) {
-  const std::vector<std::vector<Index>> fans = fansAt(cut_.mesh, corners_.of(static_cast<std::size_t>(vertex)));
-  for (std::size_t fan = 1; fan < fans.size(); ++fan) {
-    const auto copy = static_cast<Index>(cut_.mesh.vertices.size());
+  std::vector<Index> left;
+  for (const Index c : corners_.of(static_cast<std::size_t>(vertex)))
+    if (const Triangle& t = cut_.mesh.triangles[static_cast<std::size_t>(c / 3)]; t[0] != t[1])
+      left.push_back(c);
+  Fans fans(cut_);
+  const std::size_t count = fans.find(vertex, {left.data(), left.data() + left.size()});
+  if (count < 2)
+    return;
+  const auto copies = static_cast<Index>(cut_.mesh.vertices.size());
+  for (std::size_t fan = 1; fan < count; ++fan) {
+    touched_.push_back(static_cast<Index>(cut_.mesh.vertices.size()));
     copyVertex(cut_, vertex);
-    touched_.push_back(copy);
-    for (const Index c : fans[fan])
-      cut_.mesh.triangles[static_cast<std::size_t>(c / 3)][static_cast<std::size_t>(c % 3)] = copy;
   }
+  fans.visit([&](Index c, std::size_t fan) {
+    if (fan > 0)
+      cut_.mesh.triangles[static_cast<std::size_t>(c / 3)][static_cast<std::size_t>(c % 3)] = copies + static_cast<Index>(fan) - 1;
+  });
 }
 
 TriangleRemoval::Result TriangleRemoval::finish(std::size_t least, unsigned threads) {
