@@ -106,6 +106,18 @@ void LocalFit::lookWithin(const Bounds& places, double radius, Scratch& s) const
   around.picks->close();
 }
 
+/// The box of the picks collected within a radius: of what ends outside it, as faults do above and below a surface, sight need not be tested.
+Bounds LocalFit::boxOfPicks(const LocalSurface& frame, double radius, Scratch& s) {
+  const detail::Range heights = detail::rangeWithZero(s.height.data(), s.count);
+  const Vector3 middle = frame.centre + 0.5 * (heights.low + heights.high) * frame.normal;
+  const Vector3 half = radius * (frame.u.cwiseAbs() + frame.v.cwiseAbs()) + 0.5 * (heights.high - heights.low) * frame.normal.cwiseAbs();
+  const Bounds cube = boxAround(frame.centre, radius);
+  Bounds box;
+  box.low = cube.low.cwiseMax(middle - half);
+  box.high = cube.high.cwiseMin(middle + half);
+  return grown(box, 1e-3 * radius);
+}
+
 void LocalFit::collect(const LocalSurface& frame, const Vector3& viewpoint, double radius, Scratch& s) const {
   if (!contains(s.around.places, frame.centre)) {
     Bounds place;
@@ -123,7 +135,7 @@ void LocalFit::collect(const LocalSurface& frame, const Vector3& viewpoint, doub
   const Bounds known = grown(s.around.places, s.around.radius);
   if (s.around.no_faults && contains(known, viewpoint))
     return;
-  Bounds box = boxAround(frame.centre, 1.001 * radius);
+  Bounds box = boxOfPicks(frame, radius, s);
   box.extend(viewpoint);
   const LocalFaults sides(faults_, *borders_, box);
   if (sides.empty())

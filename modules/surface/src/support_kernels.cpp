@@ -28,6 +28,24 @@ GRABEN_AVX2_CLONE std::size_t keepWithin(double squared_distance, const PickArra
   return found;
 }
 
+GRABEN_AVX2_CLONE Range rangeWithZero(double* numbers, std::size_t count) {
+  for (std::size_t i = count; i < roundUpToLanes(count); ++i)
+    numbers[i] = 0.0;
+  Lanes low = {}, high = {};
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    Lanes number;
+    load(numbers + i, number);
+    low = number < low ? number : low;
+    high = number > high ? number : high;
+  }
+  Range range;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    range.low = low[lane] < range.low ? low[lane] : range.low;
+    range.high = high[lane] > range.high ? high[lane] : range.high;
+  }
+  return range;
+}
+
 GRABEN_AVX2_CLONE void scaleAndWeigh(const PickArrays& picks, std::size_t count, double inverse_radius, const ScaledArrays& out) {
   const double inverse_squared = inverse_radius * inverse_radius;
   for (std::size_t i = 0; i < count; i += kLanes) {

@@ -39,6 +39,14 @@ void keepIf(const PickArrays& picks, std::size_t& count, const Keep& keep) {
 /// Keeps the picks within a distance in the plane, in their order; the arrays have room for a multiple of kLanes. \return how many there are
 std::size_t keepWithin(double squared_distance, const PickArrays& picks, std::size_t count);
 
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// From the least to the largest of some numbers and 0. The array has room for a multiple of kLanes and is filled up.
+Range rangeWithZero(double* numbers, std::size_t count);
+
 /// Places in units of the radius of a support, and weights.
 struct ScaledArrays {
   double *u, *v, *weight;

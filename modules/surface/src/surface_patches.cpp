@@ -16,6 +16,7 @@ constexpr double kPerSupport = 6.0; // patches in the support of one
 constexpr double kShare = 0.75;     // of its support's radius to which a patch is used
 constexpr double kLeastWeight = 0.05; // of all patches together, for a place among the picks
 constexpr double kTogether = 8.0; // radii of a support, across patches whose picks are looked up at once
+constexpr double kViewpoints = 0.2; // widest reaches from a place to where it is looked from
 constexpr std::size_t kBothSides = 2; // times the picks are looked at where those on one side of a fault count
 constexpr double kTilt = 0.95; // cosine of the angle between a patch's plane and its surface beyond which it is fitted again
 constexpr double kNormalLimit = 0.34;
@@ -133,10 +134,10 @@ void SurfacePatches::gather(const Bounds& box, Block& block) const {
   block.patches.erase(std::remove_if(block.patches.begin(), block.patches.end(), outOfReach), block.patches.end());
   std::sort(block.patches.begin(), block.patches.end()); // the same order of sums, whatever the block
   setLanes(block);
-  Bounds wide = box;
-  wide.low.array() -= widest_;
-  wide.high.array() += widest_;
-  block.faults = block.patches.empty() ? LocalFaults() : LocalFaults(fit_.faults(), fit_.borders(), wide);
+  Bounds looks = grown(box, kViewpoints * widest_);
+  for (const Index p : block.patches)
+    looks.extend(fit_.grid().points()[static_cast<std::size_t>(picks_[static_cast<std::size_t>(p)])]);
+  block.faults = block.patches.empty() ? LocalFaults() : LocalFaults(fit_.faults(), fit_.borders(), looks);
 }
 
 void SurfacePatches::setLanes(Block& block) const {

@@ -1,6 +1,5 @@
 #include "graben/surface/zone_fit.h"
 
-#include "box_around.h"
 #include "local_faults.h"
 #include "vertex_moves.h"
 
@@ -52,7 +51,11 @@ private:
       grid_.nearest(viewpoint, count, candidates, radius);
       if (candidates.empty())
         return 0;
-      const LocalFaults sides(faults_, borders_, boxAround(viewpoint, 1.001 * std::sqrt(candidates.back().squared_distance)));
+      Bounds box;
+      box.extend(viewpoint);
+      for (const Neighbor& c : candidates)
+        box.extend(grid_.points()[static_cast<std::size_t>(c.index)]);
+      const LocalFaults sides(faults_, borders_, box);
       for (const Neighbor& c : candidates) {
         const auto i = static_cast<std::size_t>(c.index);
         const Vector3& n = planes_.normals[i];

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -96,6 +97,23 @@ TEST(PickBlocks, OfBeforeAreForgotten) {
     blocks.close();
     EXPECT_EQ(collect(blocks, everywhere).count, count);
   }
+}
+
+TEST(SupportKernels, RangesHoldAllNumbersAndZero) {
+  test::Random random(2);
+  for (std::size_t count = 0; count < 14; ++count)
+    for (const double middle : {-4.0, 0.0, 4.0}) {
+      std::vector<double> numbers(roundUpToLanes(count), 99.0);
+      double low = 0.0, high = 0.0;
+      for (std::size_t i = 0; i < count; ++i) {
+        numbers[i] = middle + random.uniform(-1.0, 1.0);
+        low = std::min(low, numbers[i]);
+        high = std::max(high, numbers[i]);
+      }
+      const Range range = rangeWithZero(numbers.data(), count);
+      EXPECT_EQ(range.low, low);
+      EXPECT_EQ(range.high, high);
+    }
 }
 
 TEST(SupportKernels, KeepWithinKeepsTheNearOnesInTheirOrder) {

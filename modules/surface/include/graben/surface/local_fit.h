@@ -120,6 +120,7 @@ public:
 private:
   struct Support;
   void addSlopes(const LocalSurface& surface, double weight, const Scratch& scratch, Index own, detail::NormalEquations& equations) const;
+  static Bounds boxOfPicks(const LocalSurface& frame, double radius, Scratch& scratch);
   void lookWithin(const Bounds& places, double radius, Scratch& scratch) const;
   void collect(const LocalSurface& frame, const Vector3& viewpoint, double radius, Scratch& scratch) const;
 
