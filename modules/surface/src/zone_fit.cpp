@@ -1,5 +1,6 @@
 #include "graben/surface/zone_fit.h"
 
+#include "box_around.h"
 #include "local_faults.h"
 #include "vertex_moves.h"
 
@@ -91,8 +92,14 @@ private:
 std::vector<Index> zoneVertices(const CutMesh& cut, const FaultNetwork& faults, const ZoneFitOptions& options) {
   std::vector<std::uint8_t> in(cut.mesh.vertices.size(), 0);
   const bool all = std::isinf(options.zone_width);
-  parallelFor(in.size(), 1024, options.threads, [&](std::size_t v) {
-    in[v] = all || faults.nearest(cut.mesh.vertices[v], options.zone_width).fault >= 0 ? 1 : 0;
+  parallelBlocks(in.size(), 64, options.threads, [&](std::size_t begin, std::size_t end) { // vertices that follow each other lie together
+    Bounds box;
+    for (std::size_t v = begin; v < end; ++v)
+      box.extend(cut.mesh.vertices[v]);
+    if (!all && !faults.mayTouch(grown(box, 1.001 * options.zone_width)))
+      return;
+    for (std::size_t v = begin; v < end; ++v)
+      in[v] = all || faults.nearest(cut.mesh.vertices[v], options.zone_width).fault >= 0 ? 1 : 0;
   });
   std::vector<Index> zone;
   for (std::size_t v = 0; v < in.size(); ++v)
