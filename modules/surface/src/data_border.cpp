@@ -22,15 +22,26 @@ std::uint64_t mixed(Index v) {
 }
 
 /// Vertices whose triangles do not close round them: what the edges of the ring lead to is not what they come from.
-std::vector<std::uint8_t> borderVertices(const TriangleMesh& mesh) {
-  std::vector<std::uint64_t> open(mesh.vertices.size(), 0);
-  for (const Triangle& t : mesh.triangles) {
-    const std::array<std::uint64_t, 3> number = {mixed(t[0]), mixed(t[1]), mixed(t[2])};
-    for (std::size_t e = 0; e < 3; ++e)
-      open[static_cast<std::size_t>(t[e])] += number[(e + 1) % 3] - number[(e + 2) % 3];
-  }
-  std::vector<std::uint8_t> border(open.size());
-  std::transform(open.begin(), open.end(), border.begin(), [](std::uint64_t sum) { return sum != 0 ? std::uint8_t(1) : std::uint8_t(0); });
+std::vector<std::uint8_t> borderVertices(const TriangleMesh& mesh, unsigned threads) {
+  const std::size_t parts = std::min<std::size_t>(threadCount(threads), 4); // each with a sum of its own for every vertex
+  std::vector<std::vector<std::uint64_t>> open(parts);
+  parallelFor(parts, 1, threads, [&](std::size_t part) {
+    std::vector<std::uint64_t>& sum = open[part];
+    sum.assign(mesh.vertices.size(), 0);
+    for (std::size_t i = part * mesh.triangles.size() / parts; i < (part + 1) * mesh.triangles.size() / parts; ++i) {
+      const Triangle& t = mesh.triangles[i];
+      const std::array<std::uint64_t, 3> number = {mixed(t[0]), mixed(t[1]), mixed(t[2])};
+      for (std::size_t e = 0; e < 3; ++e)
+        sum[static_cast<std::size_t>(t[e])] += number[(e + 1) % 3] - number[(e + 2) % 3];
+    }
+  });
+  std::vector<std::uint8_t> border(mesh.vertices.size());
+  parallelFor(border.size(), 1 << 14, threads, [&](std::size_t v) {
+    std::uint64_t sum = 0;
+    for (const std::vector<std::uint64_t>& of_part : open)
+      sum += of_part[v];
+    border[v] = sum != 0 ? 1 : 0;
+  });
   return border;
 }
 
@@ -84,7 +95,7 @@ private:
 
   /// Vertices within a few rings of the border.
   void findBelt() {
-    std::vector<std::uint8_t> in_belt = borderVertices(mesh_);
+    std::vector<std::uint8_t> in_belt = borderVertices(mesh_, options_.threads);
     growRings(mesh_.triangles, kRings, options_.threads, in_belt);
     belt_place_.assign(in_belt.size(), -1);
     for (std::size_t v = 0; v < in_belt.size(); ++v)

@@ -158,10 +158,15 @@ private:
       out.cells += parts_[p].cells;
       out.rejected_by_flip_angle += parts_[p].rejected;
     }
-    out.mesh.triangles.reserve(withRoom(first.back()));
-    out.home.reserve(withRoom(first.back()));
-    out.mesh.triangles.resize(first.back());
-    out.home.assign(first.back(), -1);
+    parallelFor(2, 1, options_.threads, [&](std::size_t of) { // it is the first touch of new memory that takes time
+      if (of == 0) {
+        out.mesh.triangles.reserve(withRoom(first.back()));
+        out.mesh.triangles.resize(first.back());
+      } else {
+        out.home.reserve(withRoom(first.back()));
+        out.home.assign(first.back(), -1);
+      }
+    });
     parallelFor(parts_.size(), 8, options_.threads, [&](std::size_t p) {
       const auto to = static_cast<std::ptrdiff_t>(first[p]);
       std::copy(parts_[p].triangles.begin(), parts_[p].triangles.end(), out.mesh.triangles.begin() + to);
