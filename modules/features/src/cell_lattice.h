@@ -44,11 +44,10 @@ struct CellLattice {
 
 private:
   std::int64_t lattice(double coordinate, int axis, unsigned bits, double inverse) const {
+    const auto last = static_cast<double>((std::int64_t(1) << bits) - 1);
     const double cells = (coordinate - origin[axis]) * inverse;
-    const auto last = (std::int64_t(1) << bits) - 1;
-    if (!(cells > 0.0))
-      return 0;
-    return cells < static_cast<double>(last) ? static_cast<std::int64_t>(cells) : last;
+    const double not_below = cells > 0.0 ? cells : 0.0;
+    return static_cast<std::int64_t>(not_below < last ? not_below : last);
   }
 
   double fine_size_inverse_ = 1.0;

@@ -346,6 +346,18 @@ NeighborGrid::NeighborGrid(const Points& points, const detail::CellLattice& latt
   data_ = std::move(data);
 }
 
+NeighborGrid::NeighborGrid(const Points& points, const GridKeys& keys, unsigned threads)
+    : points_(&points) {
+  if (keys == nullptr) {
+    *this = NeighborGrid(points, 0.0, threads);
+    return;
+  }
+  auto data = std::make_shared<NeighborGridData>();
+  data->lattice = keys->lattice;
+  order_ = std::make_shared<std::vector<Index>>(data->buildInOrder(points, keys->keys, threads));
+  data_ = std::move(data);
+}
+
 NeighborGrid NeighborGrid::withoutThoseTakenOut(unsigned threads) const {
   if (!inOrder())
     return NeighborGrid(*points_, data_->lattice, threads);
@@ -490,13 +502,15 @@ Neighbor NeighborGrid::nearestOne(const Vector3& query, double max_distance) con
   return data.tree.nearestOne(data.ordered, query, limit);
 }
 
-std::vector<Index> spaceOrder(const Points& points, unsigned threads) {
-  const detail::CellLattice lattice = detail::chooseLattice(points, 0.0, threads);
-  std::vector<std::uint64_t> keys = detail::fineKeys(points, lattice, threads);
-  std::vector<Index> order = detail::sortByKey(points, keys, threads);
+std::vector<Index> spaceOrder(const Points& points, unsigned threads, GridKeys* keys) {
+  auto sorted = std::make_shared<detail::SortedKeys>();
+  sorted->lattice = detail::chooseLattice(points, 0.0, threads);
+  std::vector<Index> order = detail::sortByKey(points, *sorted, threads);
   for (std::size_t i = 0; order.size() < points.size() && i < points.size(); ++i)
     if (!points[i].allFinite())
       order.push_back(static_cast<Index>(i));
+  if (keys != nullptr)
+    *keys = std::move(sorted);
   return order;
 }
 

@@ -12,13 +12,39 @@ namespace {
 
 constexpr std::size_t GRAIN = 1 << 15;
 
-bool areSorted(const std::vector<std::uint64_t>& keys, unsigned threads) {
+bool areSorted(const CellKeys& keys, unsigned threads) {
   std::vector<char> sorted((keys.size() + GRAIN - 1) / GRAIN);
   parallelBlocks(keys.size(), GRAIN, threads, [&](std::size_t begin, std::size_t end) {
     const auto first = keys.begin() + static_cast<std::ptrdiff_t>(begin);
     sorted[begin / GRAIN] = std::is_sorted(first, keys.begin() + static_cast<std::ptrdiff_t>(std::min(end + 1, keys.size()))) ? 1 : 0;
   });
   return std::find(sorted.begin(), sorted.end(), 0) == sorted.end();
+}
+
+/// The key of each point; a point that is not finite has the key of the one before it.
+CellKeys fineKeys(const Points& points, const CellLattice& lattice, unsigned threads) {
+  constexpr std::uint64_t NONE = ~std::uint64_t(0); // a key has 63 bits
+  CellKeys keys(points.size());
+  parallelBlocks(points.size(), GRAIN, threads, [&](std::size_t begin, std::size_t end) {
+    std::uint64_t last = NONE;
+    for (std::size_t i = begin; i < end; ++i)
+      last = keys[i] = points[i].allFinite() ? lattice.fineKey(points[i]) : last;
+  });
+  for (std::size_t begin = 0; begin < keys.size(); begin += GRAIN)
+    for (std::size_t i = begin; i < keys.size() && keys[i] == NONE; ++i)
+      keys[i] = i == 0 ? 0 : keys[i - 1];
+  return keys;
+}
+
+/// Where the finite points of each block of GRAIN stand among all finite ones, and after the last block their number.
+std::vector<std::size_t> firstFinite(const Vector3* points, std::size_t count, unsigned threads) {
+  std::vector<std::size_t> first((count + GRAIN - 1) / GRAIN + 1, 0);
+  parallelBlocks(count, GRAIN, threads, [&](std::size_t begin, std::size_t end) {
+    first[begin / GRAIN + 1] =
+        static_cast<std::size_t>(std::count_if(points + begin, points + end, [](const Vector3& p) { return p.allFinite(); }));
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  return first;
 }
 
 void fillOffsets(Block& block, const std::uint64_t* keys, const CellLattice& lattice) {
@@ -34,47 +60,32 @@ void fillOffsets(Block& block, const std::uint64_t* keys, const CellLattice& lat
 
 } // namespace
 
-std::vector<std::uint64_t> fineKeys(const Points& points, const CellLattice& lattice, unsigned threads) {
-  constexpr std::uint64_t NONE = ~std::uint64_t(0); // a key has 63 bits
-  std::vector<std::uint64_t> keys(points.size());
-  parallelBlocks(points.size(), GRAIN, threads, [&](std::size_t begin, std::size_t end) {
-    std::uint64_t last = NONE;
-    for (std::size_t i = begin; i < end; ++i)
-      last = keys[i] = points[i].allFinite() ? lattice.fineKey(points[i]) : last;
-  });
-  for (std::size_t begin = 0; begin < keys.size(); begin += GRAIN)
-    for (std::size_t i = begin; i < keys.size() && keys[i] == NONE; ++i)
-      keys[i] = i == 0 ? 0 : keys[i - 1];
-  return keys;
-}
-
 std::vector<Index> finitePoints(const Vector3* points, std::size_t count, unsigned threads) {
-  std::vector<std::size_t> first((count + GRAIN - 1) / GRAIN + 1, 0);
-  parallelBlocks(count, GRAIN, threads, [&](std::size_t begin, std::size_t end) {
-    first[begin / GRAIN + 1] =
-        static_cast<std::size_t>(std::count_if(points + begin, points + end, [](const Vector3& p) { return p.allFinite(); }));
-  });
-  std::partial_sum(first.begin(), first.end(), first.begin());
+  const std::vector<std::size_t> first = firstFinite(points, count, threads);
   std::vector<Index> finite(first.back());
   parallelBlocks(count, GRAIN, threads, [&](std::size_t begin, std::size_t end) {
     std::size_t at = first[begin / GRAIN];
+    const bool all = first[begin / GRAIN + 1] - at == end - begin;
     for (std::size_t i = begin; i < end; ++i)
-      if (points[i].allFinite())
+      if (all || points[i].allFinite())
         finite[at++] = static_cast<Index>(i);
   });
   return finite;
 }
 
-std::vector<Index> sortByKey(const Points& points, std::vector<std::uint64_t>& keys, unsigned threads) {
-  std::vector<Index> order = finitePoints(points.data(), points.size(), threads);
-  KeyedIndices items(order.size());
-  std::vector<std::uint64_t> any((order.size() + GRAIN - 1) / GRAIN, 0);
-  parallelBlocks(order.size(), GRAIN, threads, [&](std::size_t begin, std::size_t end) {
+std::vector<Index> sortByKey(const Points& points, SortedKeys& sorted, unsigned threads) {
+  const std::vector<std::size_t> first = firstFinite(points.data(), points.size(), threads);
+  KeyedIndices items(first.back());
+  std::vector<std::uint64_t> any(first.size(), 0);
+  parallelBlocks(points.size(), GRAIN, threads, [&](std::size_t begin, std::size_t end) {
+    std::size_t at = first[begin / GRAIN];
     std::uint64_t all = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      items[i] = {keys[static_cast<std::size_t>(order[i])], order[i]};
-      all |= items[i].key;
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      if (points[i].allFinite()) {
+        const std::uint64_t key = sorted.lattice.fineKey(points[i]);
+        items[at++] = {key, static_cast<Index>(i)};
+        all |= key;
+      }
     any[begin / GRAIN] = all;
   });
   const std::uint64_t all = std::accumulate(any.begin(), any.end(), std::uint64_t(0), std::bit_or<std::uint64_t>());
@@ -82,9 +93,10 @@ std::vector<Index> sortByKey(const Points& points, std::vector<std::uint64_t>& k
   while (bits < 64 && (all >> bits) != 0)
     ++bits;
   radixSort(items, bits, threads);
-  keys.resize(items.size());
+  std::vector<Index> order(items.size());
+  sorted.keys.resize(items.size());
   parallelFor(items.size(), GRAIN, threads, [&](std::size_t i) {
-    keys[i] = items[i].key;
+    sorted.keys[i] = items[i].key;
     order[i] = items[i].index;
   });
   return order;
@@ -92,28 +104,39 @@ std::vector<Index> sortByKey(const Points& points, std::vector<std::uint64_t>& k
 
 std::vector<Index> NeighborGridData::build(const Points& points, unsigned threads) {
   std::vector<Index> order;
-  std::vector<std::uint64_t> keys = fineKeys(points, lattice, threads);
-  if (areSorted(keys, threads)) {
-    ordered.points = points.data();
-    ordered.count = points.size();
-    order = finitePoints(ordered.points, ordered.count, threads);
-  } else {
-    order = sortByKey(points, keys, threads);
-    ordered.indices = order.data();
-    ordered.copy.resize(order.size());
-    parallelFor(order.size(), GRAIN, threads, [&](std::size_t i) { ordered.copy[i] = points[static_cast<std::size_t>(order[i])]; });
-    ordered.points = ordered.copy.data();
-    ordered.count = ordered.copy.size();
-  }
-  if (order.empty())
+  SortedKeys sorted{lattice, fineKeys(points, lattice, threads)};
+  if (areSorted(sorted.keys, threads)) {
+    order = finitePoints(points.data(), points.size(), threads);
+    if (!order.empty())
+      index(points.data(), sorted.keys, threads);
     return order;
-  buildBlocks(keys, threads);
-  buildTable();
-  tree.build(ordered, threads);
+  }
+  order = sortByKey(points, sorted, threads);
+  ordered.indices = order.data();
+  ordered.copy.resize(order.size());
+  parallelFor(order.size(), GRAIN, threads, [&](std::size_t i) { ordered.copy[i] = points[static_cast<std::size_t>(order[i])]; });
+  index(ordered.copy.data(), sorted.keys, threads);
   return order;
 }
 
-void NeighborGridData::buildBlocks(const std::vector<std::uint64_t>& keys, unsigned threads) {
+std::vector<Index> NeighborGridData::buildInOrder(const Points& points, const CellKeys& keys, unsigned threads) {
+  std::vector<Index> order(keys.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (!order.empty())
+    index(points.data(), keys, threads);
+  return order;
+}
+
+/// Sets all but the lattice for points in order. \param[in] keys of the points, which tell their number
+void NeighborGridData::index(const Vector3* points, const CellKeys& keys, unsigned threads) {
+  ordered.points = points;
+  ordered.count = keys.size();
+  buildBlocks(keys, threads);
+  buildTable();
+  tree.build(ordered, threads);
+}
+
+void NeighborGridData::buildBlocks(const CellKeys& keys, unsigned threads) {
   std::vector<std::vector<std::uint32_t>> firsts((keys.size() + GRAIN - 1) / GRAIN);
   parallelBlocks(keys.size(), GRAIN, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

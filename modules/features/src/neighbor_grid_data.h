@@ -3,6 +3,7 @@
 #include "cell_lattice.h"
 #include "graben/features/neighbor_grid.h"
 #include "point_tree.h"
+#include "radix_sort.h"
 
 #include <array>
 
@@ -29,6 +30,14 @@ struct Superblock {
   std::uint32_t first = 0;    ///< position of the first of these blocks, which follow each other
 };
 
+using CellKeys = std::vector<std::uint64_t, UnsetAllocator<std::uint64_t>>;
+
+/// The keys of points in order in a lattice.
+struct SortedKeys {
+  CellLattice lattice;
+  CellKeys keys;
+};
+
 struct NeighborGridData {
   CellLattice lattice;
   OrderedPoints ordered; ///< with points that are not finite among them where the caller's are in order
@@ -40,6 +49,9 @@ struct NeighborGridData {
   /// The lattice is set before. \return indices of the finite points in the order of their cells; they must live on where the points are not in
   /// order themselves, as ordered refers to them
   std::vector<Index> build(const Points& points, unsigned threads);
+
+  /// The same of points in order, those that are not finite last, from the keys of the others.
+  std::vector<Index> buildInOrder(const Points& points, const CellKeys& keys, unsigned threads);
 
   /// One that holds no block where there is none of that key.
   const Superblock& findSuperblock(std::uint64_t key) const {
@@ -63,21 +75,19 @@ struct NeighborGridData {
   }
 
 private:
+  void index(const Vector3* points, const CellKeys& keys, unsigned threads);
   std::size_t slotOf(std::uint64_t key) const {
     return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> table_shift);
   }
-  void buildBlocks(const std::vector<std::uint64_t>& keys, unsigned threads);
+  void buildBlocks(const CellKeys& keys, unsigned threads);
   bool mayRepeat(const Block& block, const std::uint64_t* keys) const;
   void buildTable();
 };
 
-/// The key of each point; a point that is not finite has the key of the one before it.
-std::vector<std::uint64_t> fineKeys(const Points& points, const CellLattice& lattice, unsigned threads);
-
 /// The indices of the points that are finite, ascending.
 std::vector<Index> finitePoints(const Vector3* points, std::size_t count, unsigned threads);
 
-/// Sorts the finite points by key, in place; equals by index. Returns their indices.
-std::vector<Index> sortByKey(const Points& points, std::vector<std::uint64_t>& keys, unsigned threads);
+/// Sorts the finite points by their keys in the lattice, equals by index; returns their indices and sets the keys.
+std::vector<Index> sortByKey(const Points& points, SortedKeys& sorted, unsigned threads);
 
 } // namespace graben::detail

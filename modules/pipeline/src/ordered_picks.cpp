@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kGrain = 1 << 14;
 
 void putInOrder(OrderedPicks& picks, unsigned threads) {
-  picks.order = spaceOrder(picks.points, threads);
+  picks.order = spaceOrder(picks.points, threads, &picks.keys);
   Points ordered(picks.points.size());
   parallelFor(ordered.size(), kGrain, threads, [&](std::size_t i) { ordered[i] = picks.points[static_cast<std::size_t>(picks.order[i])]; });
   picks.points = std::move(ordered);

@@ -15,6 +15,7 @@ struct OrderedPicks {
   std::vector<Index> order;             ///< for each its place in the input: the picks, then the measurements
   std::size_t picks = 0;                ///< how many of them are picks
   std::vector<MeasuredNormal> measured; ///< the measurements, by their place in points
+  GridKeys keys;                        ///< for the first grid on the points
 
   bool isMeasurement(std::size_t i) const { return static_cast<std::size_t>(order[i]) >= picks; }
 };

@@ -109,7 +109,7 @@ void ReconstructionJob::checkMemory(const Points& picks, std::size_t dips) {
 void ReconstructionJob::toLocalFrame(Points picks, const std::vector<DipMeasurement>& dips) {
   result_.frame = LocalFrame::around(picks, options_.z_positive, options_.z_scale, options_.threads);
   picks_ = orderPicks(std::move(picks), dips, result_.frame, options_.threads, result_.report);
-  grid_ = NeighborGrid(picks_.points, 0.0, options_.threads);
+  grid_ = NeighborGrid(picks_.points, std::exchange(picks_.keys, nullptr), options_.threads);
   result_.report.picks = picks_.picks;
   result_.report.picks_not_finite = picks_.points.size() - grid_.size();
 }

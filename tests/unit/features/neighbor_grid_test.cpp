@@ -265,6 +265,24 @@ TEST(NeighborGrid, PointsInSpaceOrderStayInPlace) {
   EXPECT_EQ(grid.size(), points.size() - 1);
 }
 
+TEST(NeighborGrid, FromTheKeysOfSpaceOrder) {
+  Points sheet = test::wavySheet(20000, 1000.0, 1.0);
+  for (std::size_t i = 0; i < sheet.size(); i += 1000)
+    sheet[i].setConstant(NAN_VALUE);
+  GridKeys keys;
+  Points points;
+  for (const Index i : spaceOrder(sheet, 0, &keys))
+    points.push_back(sheet[static_cast<std::size_t>(i)]);
+  const NeighborGrid grid(points, keys), expected(points);
+  EXPECT_TRUE(grid.inOrder());
+  EXPECT_EQ(grid.cellSize(), expected.cellSize());
+  EXPECT_EQ(grid.order(), expected.order());
+  checkAgainstBruteForce(grid, 15.0);
+  EXPECT_EQ(NeighborGrid(sheet, GridKeys()).order(), NeighborGrid(sheet).order());
+  spaceOrder({}, 0, &keys);
+  EXPECT_EQ(NeighborGrid(Points(), keys).size(), 0U);
+}
+
 TEST(NeighborGrid, PointsTakenOutAreFoundNoMore) {
   const Points sheet = test::wavySheet(8000, 1000.0, 1.0);
   for (Points points : {inSpaceOrder(sheet), sheet}) {

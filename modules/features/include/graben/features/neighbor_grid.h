@@ -39,7 +39,11 @@ struct PointsAround {
 namespace detail {
 struct CellLattice;
 struct NeighborGridData;
+struct SortedKeys;
 }
+
+/// What spaceOrder() knows of the grid on the points in its order: 8 bytes a point.
+using GridKeys = std::shared_ptr<const detail::SortedKeys>;
 
 /// Exact neighbour queries on a fixed set of points, by a sparse grid of buckets (only cells that
 /// hold points are stored).
@@ -60,6 +64,10 @@ public:
   /// an occupied cell holds about 3 to 4 points \param[in] threads used by the build; 0: one per
   /// processor
   explicit NeighborGrid(const Points& points, double cell_size = 0.0, unsigned threads = 0);
+
+  /// The same grid on points that were put in the order of spaceOrder() and not changed since, in a fraction of the time. \param[in] keys what
+  /// spaceOrder() left; null: as if there were none
+  NeighborGrid(const Points& points, const GridKeys& keys, unsigned threads = 0);
 
   /// This grid after some of its points were taken out (set to NaN, the one change that is allowed): they are found no more. Where the points
   /// are inOrder() that costs a fraction of a new grid.
@@ -117,7 +125,8 @@ private:
 ///
 /// To be called once, before the first grid: put the points and all that belongs to them into this order (points'[i] = points[order[i]]), keep
 /// them so, and put results back at the end. Every NeighborGrid on them then is inOrder() and builds in a fraction of the time. O(n) on all
-/// threads; needs 36 bytes a point while it runs. \param[in] threads 0: one per processor
-std::vector<Index> spaceOrder(const Points& points, unsigned threads = 0);
+/// threads; needs 44 bytes a point while it runs. \param[in] threads 0: one per processor \param[out] keys if not null: what the first grid on the
+/// points in this order may be built from
+std::vector<Index> spaceOrder(const Points& points, unsigned threads = 0, GridKeys* keys = nullptr);
 
 } // namespace graben
