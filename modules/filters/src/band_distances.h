@@ -15,7 +15,10 @@ public:
   /// \param[in] near each pick once, in any order
   BandDistances(std::size_t picks, std::vector<PickNearFault> near)
       : words_(picks / 64 + 1) {
-    std::sort(near.begin(), near.end(), [](const PickNearFault& a, const PickNearFault& b) { return a.pick < b.pick; });
+    const auto comes_first = [](const PickNearFault& a, const PickNearFault& b) { return a.pick < b.pick; };
+    if (!std::is_sorted(near.begin(), near.end(), comes_first))
+      std::sort(near.begin(), near.end(), comes_first);
+    distances_.reserve(near.size());
     for (const PickNearFault& p : near) {
       const auto pick = static_cast<std::size_t>(p.pick);
       words_[pick / 64].bits |= std::uint64_t(1) << pick % 64;

@@ -45,11 +45,16 @@ private:
 
   std::size_t pick(std::size_t i) const { return order_ != nullptr ? static_cast<std::size_t>((*order_)[i]) : i; }
 
+  /// Of the finite points at least; coordinates that are not numbers are passed over.
   Bounds boxOf(std::size_t begin, std::size_t end) const {
     Bounds box;
-    for (std::size_t i = begin; i < end; ++i)
-      if (points_[pick(i)].allFinite())
-        box.extend(points_[pick(i)]);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vector3& p = points_[pick(i)];
+      for (int axis = 0; axis < 3; ++axis) {
+        box.low[axis] = p[axis] < box.low[axis] ? p[axis] : box.low[axis];
+        box.high[axis] = p[axis] > box.high[axis] ? p[axis] : box.high[axis];
+      }
+    }
     return box;
   }
 
