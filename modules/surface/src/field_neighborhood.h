@@ -33,8 +33,8 @@ public:
   /// \param[in] viewpoints where places may be looked at from
   void gather(const FieldData& data, const Bounds& places, double reach, const Bounds& viewpoints);
 
-  /// The nearest picks with a plane to v that no fault hides from the viewpoint, at most \a wanted, within \a reach, nearest first (see NeighborGrid); no more than
-  /// reachAt(v).
+  /// The nearest picks with a plane to v that no fault hides from the viewpoint, at most \a wanted, within \a reach, nearest first (see
+  /// NeighborGrid); no more than reachAt(v).
   void nearest(const Vector3& v, const Vector3& viewpoint, std::size_t wanted, double reach, std::vector<Neighbor>& out);
 
   /// Looks around several places of the box at once, at most NearestBatch::kPlaces of them.

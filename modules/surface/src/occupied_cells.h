@@ -49,9 +49,16 @@ std::vector<KeyedMask> occupiedCells(std::size_t count, const Place& place, cons
       }
       const LatticeIndex cell = lattice.cellOf(p);
       const std::uint64_t key = latticeKey(block::blockOf(cell));
-      if (entries.empty() || entries.back().key != key)
+      // Along the picks' curve the same few blocks come again and again.
+      std::size_t at = entries.size();
+      const std::size_t last = at - std::min<std::size_t>(at, 6);
+      while (at > last && entries[at - 1].key != key)
+        --at;
+      if (at == last) {
         entries.push_back({key, 0});
-      entries.back().mask |= block::bit(block::slotOf(cell));
+        at = entries.size();
+      }
+      entries[at - 1].mask |= block::bit(block::slotOf(cell));
     }
     joinEqual(entries);
   });
