@@ -36,7 +36,7 @@ VertexCorners::VertexCorners(const TriangleMesh& mesh, unsigned threads) {
   visitCorners(mesh, threads, [this](std::size_t v, Index) { ++first_[v + 1]; });
   for (std::size_t v = 0; v < vertices; ++v)
     first_[v + 1] += first_[v];
-  corners_.resize(first_.back());
+  corners_.reset(new Index[first_.back()]);
   // The start of each group wanders to its end, which is the start of the next.
   visitCorners(mesh, threads, [this](std::size_t v, Index corner) { corners_[first_[v]++] = corner; });
   for (std::size_t v = vertices; v > 0; --v)

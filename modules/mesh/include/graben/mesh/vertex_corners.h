@@ -3,6 +3,7 @@
 #include "graben/mesh/triangle_mesh.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace graben {
@@ -21,11 +22,11 @@ public:
     const Index* begin() const { return first; }
     const Index* end() const { return last; }
   };
-  Range of(std::size_t vertex) const { return {corners_.data() + first_[vertex], corners_.data() + first_[vertex + 1]}; }
+  Range of(std::size_t vertex) const { return {corners_.get() + first_[vertex], corners_.get() + first_[vertex + 1]}; }
 
 private:
   std::vector<std::uint32_t> first_;
-  std::vector<Index> corners_;
+  std::unique_ptr<Index[]> corners_; ///< not cleared before it is filled
 };
 
 } // namespace graben
