@@ -481,8 +481,8 @@ Neighbor NeighborGrid::nearestOne(const Vector3& query, double max_distance) con
     return best;
   const NeighborGridData& data = *data_;
   const double limit = max_distance * max_distance;
-  double squared = data.lattice.cell_size * data.lattice.cell_size * 0.5;
-  for (int attempt = 0; attempt < 4; ++attempt, squared *= 4.0) {
+  double squared = data.lattice.cell_size * data.lattice.cell_size * 0.25; // half a cell holds one nearly always
+  for (int attempt = 0; attempt < 5; ++attempt, squared *= 4.0) {
     const CellRange range(data.lattice, query, std::sqrt(std::min(squared, limit)));
     const bool done =
         range.blocks() <= MAX_BLOCKS &&

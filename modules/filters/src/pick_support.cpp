@@ -63,12 +63,16 @@ void PickSupport::collect(const Vector3& place, double radius, const Weigh& weig
     candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), has_none), candidates_.end());
     return;
   }
+  candidates_.resize(count);
+  Neighbor* candidates = candidates_.data();
+  std::size_t found = 0;
   for (const PointRun& run : runs_)
-    for (std::size_t i = 0; i < run.count; ++i) {
-      const double squared_distance = (run.points[i] - place).squaredNorm();
-      if (squared_distance <= radius * radius && weightOf(static_cast<std::size_t>(run.index(i))) > 0.0)
-        candidates_.push_back({run.index(i), squared_distance});
+    for (std::size_t i = 0; i < run.count; ++i) { // without a branch: about every second pick is one
+      candidates[found] = {run.index(i), (run.points[i] - place).squaredNorm()};
+      const bool within = candidates[found].squared_distance <= radius * radius, weighs = weightOf(static_cast<std::size_t>(run.index(i))) > 0.0;
+      found += within && weighs ? 1 : 0;
     }
+  candidates_.resize(found);
   std::sort(candidates_.begin(), candidates_.end(), [](const Neighbor& a, const Neighbor& b) {
     return a.squared_distance != b.squared_distance ? a.squared_distance < b.squared_distance : a.index < b.index;
   });
