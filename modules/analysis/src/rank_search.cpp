@@ -1,6 +1,7 @@
 #include "graben/analysis/rank_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -32,23 +33,33 @@ RankSearch::RankSearch(std::vector<double> sample, std::size_t count, const std:
 }
 
 void RankSearch::Tally::see(const double* values, std::size_t count) {
-  for (std::size_t i = 0; i < counts_.size(); ++i) {
-    const auto [rank, low, high] = search_->bounds_[i];
-    Counts& counts = counts_[i];
-    std::size_t below = 0;
-    for (const double* v = values; v < values + count; ++v) {
-      below += *v < low ? 1 : 0;
-      if (!(*v >= low && *v <= high))
-        continue;
-      if (*v == low)
-        ++counts.at_low;
-      else if (*v == high)
-        ++counts.at_high;
-      else
-        counts.between.push_back(*v);
+  constexpr std::size_t few = 512;
+  std::array<double, few> inside; // NOLINT: filled as far as it is read
+  for (std::size_t first = 0; first < count; first += few) {
+    const std::size_t last = std::min(first + few, count);
+    for (std::size_t i = 0; i < counts_.size(); ++i) {
+      const auto [rank, low, high] = search_->bounds_[i];
+      std::size_t below = 0;
+      std::size_t found = 0;
+      for (std::size_t v = first; v < last; ++v) { // without branches, as those taken now and then cost most
+        inside[found] = values[v];
+        below += values[v] < low ? 1 : 0;
+        found += static_cast<std::size_t>(values[v] >= low) & static_cast<std::size_t>(values[v] <= high);
+      }
+      counts_[i].below += below;
+      counts_[i].keep(inside.data(), found, low, high);
     }
-    counts.below += below;
   }
+}
+
+void RankSearch::Tally::Counts::keep(const double* inside, std::size_t count, double low, double high) {
+  for (std::size_t v = 0; v < count; ++v)
+    if (inside[v] == low)
+      ++at_low;
+    else if (inside[v] == high)
+      ++at_high;
+    else
+      between.push_back(inside[v]);
 }
 
 bool RankSearch::find(const std::vector<Tally>& tallies, std::vector<double>& values) {

@@ -37,6 +37,8 @@ public:
       std::size_t at_low = 0;
       std::size_t at_high = 0;
       std::vector<double> between;
+
+      void keep(const double* inside, std::size_t count, double low, double high);
     };
 
     const RankSearch* search_;
