@@ -64,6 +64,26 @@ std::vector<Index> rootsOf(const TriangleMesh& mesh, unsigned threads) {
   return roots;
 }
 
+/// Triangles of one component that follow each other.
+struct Run {
+  std::size_t root;
+  std::size_t triangles;
+};
+
+/// All triangles in runs, in blocks.
+template <typename RootOf>
+std::vector<std::vector<Run>> runsOf(std::size_t triangles, unsigned threads, const RootOf& root_of) {
+  std::vector<std::vector<Run>> blocks((triangles + kGrain - 1) / kGrain);
+  parallelFor(triangles, kGrain, threads, [&](std::size_t t) {
+    std::vector<Run>& runs = blocks[t / kGrain];
+    const std::size_t root = root_of(t);
+    if (runs.empty() || runs.back().root != root)
+      runs.push_back({root, 0});
+    ++runs.back().triangles;
+  });
+  return blocks;
+}
+
 } // namespace
 
 Components connectedComponents(const TriangleMesh& mesh, unsigned threads) {
@@ -72,14 +92,15 @@ Components connectedComponents(const TriangleMesh& mesh, unsigned threads) {
   // Numbered by first triangle to begin with.
   std::vector<Index> number(mesh.vertices.size(), -1);
   std::vector<std::size_t> count;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    Index& n = number[rootOf(t)];
-    if (n < 0) {
-      n = static_cast<Index>(count.size());
-      count.push_back(0);
+  for (const std::vector<Run>& block : runsOf(mesh.triangles.size(), threads, rootOf))
+    for (const Run& run : block) {
+      Index& n = number[run.root];
+      if (n < 0) {
+        n = static_cast<Index>(count.size());
+        count.push_back(0);
+      }
+      count[static_cast<std::size_t>(n)] += run.triangles;
     }
-    ++count[static_cast<std::size_t>(n)];
-  }
   std::vector<std::size_t> order(count.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),

@@ -67,8 +67,8 @@ public:
   }
 
 private:
-  static constexpr double kReach = 0.75;   // cells: hardly a place among the picks has none so near
-  static constexpr double kTogether = 8.0; // reaches
+  static constexpr double kReach = 1.0;    // cells: hardly a place among the picks has none so near
+  static constexpr double kTogether = 6.0; // reaches
 
   const TriangleMesh& mesh_;
   const NeighborGrid& picks_;
