@@ -13,8 +13,4 @@ using LaneMask = std::int64_t __attribute__((vector_size(32)));
 using LanesInMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
 constexpr std::size_t LANES = 4;
 
-constexpr std::size_t paddedToLanes(std::size_t count) {
-  return (count + LANES - 1) / LANES * LANES;
-}
-
 } // namespace graben::detail
