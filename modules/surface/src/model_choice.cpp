@@ -70,7 +70,7 @@ class Errors {
 public:
   Errors(const LocalFit& fit, const std::vector<Index>& picks, const std::vector<LocalModel>& models, unsigned threads)
     : models_(models.size()), squared_(picks.size() * models.size() * kPerPlace) {
-    parallelBlocks(picks.size(), 16, threads, [&](std::size_t begin, std::size_t end) {
+    parallelBlocks(picks.size(), 4, threads, [&](std::size_t begin, std::size_t end) {
       detail::LeftOutPicks left_out(fit, models);
       for (std::size_t i = begin; i < end; ++i)
         left_out.predict(picks[i], &squared_[i * models_ * kPerPlace]);
