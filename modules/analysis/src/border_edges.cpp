@@ -1,11 +1,12 @@
 #include "border_edges.h"
 
-#include "graben/mesh/adjacency.h"
-
 namespace graben {
 
 std::vector<std::array<Index, 2>> borderEdges(const TriangleMesh& mesh, unsigned threads) {
-  const EdgeAdjacency adjacency(mesh, threads);
+  return borderEdges(mesh, EdgeAdjacency(mesh, threads));
+}
+
+std::vector<std::array<Index, 2>> borderEdges(const TriangleMesh& mesh, const EdgeAdjacency& adjacency) {
   std::vector<std::array<Index, 2>> edges;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t e = 0; e < 3; ++e)

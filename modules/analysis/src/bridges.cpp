@@ -8,10 +8,14 @@
 #include "graben/mesh/adjacency.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace graben {
 
 namespace {
+
+const char* const kStage = "looking for bridges";
 
 /// One fault as the search sees it: with the edges of its border.
 struct Fault {
@@ -52,81 +56,93 @@ struct Fault {
   }
 };
 
+/// Looks for bridges among the triangles near the faults.
 class BridgeSearch {
 public:
-  BridgeSearch(const TriangleMesh& mesh, const FaultNetwork& network, double tolerance)
+  BridgeSearch(const TriangleMesh& mesh, const VertexCorners& corners, const FaultNetwork& network, double tolerance, unsigned threads)
       : mesh_(mesh)
-      , adjacency_(mesh)
-      , tolerance_(tolerance) {
-    for (std::size_t i = 0; i < network.size(); ++i)
+      , corners_(corners)
+      , tolerance_(tolerance)
+      , part_(partNearFaults(mesh, network, tolerance, threads)) {
+    for (std::size_t i = 0; i < network.size(); ++i) {
       faults_.emplace_back(network, i, tolerance);
+      std::vector<std::uint8_t>& on = on_fault_.emplace_back(part_.mesh.vertices.size());
+      parallelFor(on.size(), 256, threads, [&](std::size_t v) { on[v] = faults_[i].has(part_.mesh.vertices[v]) ? 1 : 0; });
+    }
   }
 
-  bool isBridge(std::size_t triangle) const {
+  /// The triangles looked at, in rising order.
+  const std::vector<Index>& triangles() const { return part_.triangles; }
+
+  /// \param[in] t a number of one of triangles()
+  bool isBridge(std::size_t t) const {
     Bounds box;
     for (std::size_t e = 0; e < 3; ++e)
-      box.extend(corner(triangle, e));
+      box.extend(corner(t, e));
     box.low.array() -= tolerance_;
     box.high.array() += tolerance_;
-    return std::any_of(faults_.begin(), faults_.end(), [&](const Fault& fault) {
-      return fault.network.bvh(fault.index).mayTouch(box) && joinsSides(triangle, fault);
-    });
+    for (std::size_t f = 0; f < faults_.size(); ++f)
+      if (faults_[f].network.bvh(f).mayTouch(box) && joinsSides(t, f))
+        return true;
+    return false;
   }
 
 private:
-  const Vector3& corner(std::size_t triangle, std::size_t e) const {
-    return mesh_.vertices[static_cast<std::size_t>(mesh_.triangles[triangle][e % 3])];
-  }
+  Index vertex(std::size_t t, std::size_t e) const { return part_.mesh.triangles[t][e % 3]; }
+  const Vector3& corner(std::size_t t, std::size_t e) const { return part_.mesh.vertices[static_cast<std::size_t>(vertex(t, e))]; }
 
-  bool joinsSides(std::size_t triangle, const Fault& fault) const {
+  bool joinsSides(std::size_t t, std::size_t f) const {
     std::array<bool, 3> on_fault{};
     for (std::size_t e = 0; e < 3; ++e)
-      on_fault[e] = fault.has(corner(triangle, e));
+      on_fault[e] = on_fault_[f][static_cast<std::size_t>(vertex(t, e))] != 0;
     for (std::size_t e = 0; e < 3; ++e) {
       const std::size_t next = (e + 1) % 3;
-      if (!on_fault[e] && !on_fault[next] &&
-          fault.separates(corner(triangle, e), corner(triangle, next)))
+      if (!on_fault[e] && !on_fault[next] && faults_[f].separates(corner(t, e), corner(t, next)))
         return true;
-      if (on_fault[e] && on_fault[next] && isUncutSeam(triangle, e, fault))
+      if (on_fault[e] && on_fault[next] && !on_fault[(e + 2) % 3] && isUncutSeam(t, e, faults_[f]))
         return true;
     }
     return false;
   }
 
-  /// True if the edge lies on the fault and its two triangles on different sides.
-  bool isUncutSeam(std::size_t triangle, std::size_t e, const Fault& fault) const {
-    const Index twin = adjacency_.twin(static_cast<Index>(3 * triangle + e));
-    if (twin < 0 || !fault.has(0.5 * (corner(triangle, e) + corner(triangle, e + 1))))
+  /// True if an edge with both ends on the fault lies on it and its two triangles on different sides; the third corner of its own is off the fault.
+  bool isUncutSeam(std::size_t t, std::size_t e, const Fault& fault) const {
+    const Index own = part_.triangles[t];
+    const auto end = static_cast<std::size_t>(mesh_.triangles[static_cast<std::size_t>(own)][e]);
+    const Index twin = twinOf(mesh_, corners_.of(end), 3 * own + static_cast<Index>(e));
+    if (twin < 0 || !fault.has(0.5 * (corner(t, e) + corner(t, e + 1))))
       return false;
-    const Vector3& mine = corner(triangle, e + 2);
-    const Vector3& other =
-        corner(static_cast<std::size_t>(twin / 3), static_cast<std::size_t>(twin % 3) + 2);
-    return !fault.has(mine) && !fault.has(other) && fault.separates(mine, other);
+    const Triangle& beyond = mesh_.triangles[static_cast<std::size_t>(twin / 3)];
+    const Vector3& other = mesh_.vertices[static_cast<std::size_t>(beyond[static_cast<std::size_t>(twin + 2) % 3])];
+    return !fault.has(other) && fault.separates(corner(t, e + 2), other);
   }
 
   const TriangleMesh& mesh_;
-  EdgeAdjacency adjacency_;
+  const VertexCorners& corners_;
   double tolerance_;
+  MeshPart part_;
   std::vector<Fault> faults_;
+  std::vector<std::vector<std::uint8_t>> on_fault_; ///< of each fault, for each vertex of the part
 };
 
 } // namespace
 
-std::vector<Index> bridgingTriangles(const TriangleMesh& mesh, const FaultNetwork& network,
-                                     double tolerance, unsigned threads) {
-  const std::string stage = "looking for bridges";
+std::vector<Index> bridgingTriangles(const TriangleMesh& mesh, const FaultNetwork& network, double tolerance, unsigned threads) {
+  validate(mesh, kStage, threads);
+  return bridgingTriangles(mesh, VertexCorners(mesh, threads), network, tolerance, threads);
+}
+
+std::vector<Index> bridgingTriangles(const TriangleMesh& mesh, const VertexCorners& corners, const FaultNetwork& network, double tolerance,
+                                     unsigned threads) {
   if (!(tolerance >= 0.0))
-    throw InvalidInputError(stage, "the tolerance must not be negative");
-  validate(mesh, stage, threads);
-  const MeshPart part = partNearFaults(mesh, network, tolerance, threads);
-  const BridgeSearch search(part.mesh, network, tolerance);
-  std::vector<char> found(part.triangles.size(), 0);
-  parallelFor(found.size(), 256, threads,
-              [&](std::size_t t) { found[t] = search.isBridge(t) ? 1 : 0; });
+    throw InvalidInputError(kStage, "the tolerance must not be negative");
+  const BridgeSearch search(mesh, corners, network, tolerance, threads);
+  std::vector<std::uint8_t> found(search.triangles().size(), 0);
+  parallelFor(found.size(), 256, threads, [&](std::size_t t) { found[t] = search.isBridge(t) ? 1 : 0; });
   std::vector<Index> result;
   for (std::size_t t = 0; t < found.size(); ++t)
     if (found[t] != 0)
-      result.push_back(part.triangles[t]);
+      result.push_back(search.triangles()[t]);
   return result;
 }
 

@@ -13,9 +13,11 @@ namespace graben {
 
 namespace {
 
-std::vector<Index> borderVertices(const TriangleMesh& mesh, unsigned threads) {
+const char* const kStage = "checking the seal";
+
+std::vector<Index> borderVertices(const TriangleMesh& mesh, const EdgeAdjacency& adjacency) {
   std::vector<Index> result;
-  for (const auto& edge : borderEdges(mesh, threads))
+  for (const auto& edge : borderEdges(mesh, adjacency))
     result.insert(result.end(), edge.begin(), edge.end());
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -60,20 +62,22 @@ FaultSeal sealOf(std::vector<double> distances, double tolerance) {
 
 SealReport checkSeal(const TriangleMesh& mesh, const FaultNetwork& network,
                      const SealOptions& options) {
-  const std::string stage = "checking the seal";
-  if (!(options.zone_width > 0.0) || !(options.tolerance >= 0.0))
-    throw InvalidInputError(
-        stage, "the width of the zone must be positive and the tolerance not negative");
-  validate(mesh, stage, options.threads);
-  if (options.truth != nullptr)
-    validate(*options.truth, stage, options.threads);
+  validate(mesh, kStage, options.threads);
   // Where the part ends and the mesh goes on lies beyond the zone.
   const TriangleMesh part = partNearFaults(mesh, network, options.zone_width, options.threads).mesh;
-  const std::vector<Index> border = borderVertices(part, options.threads);
+  return checkSeal(part, EdgeAdjacency(part, options.threads), network, options);
+}
+
+SealReport checkSeal(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, const FaultNetwork& network, const SealOptions& options) {
+  if (!(options.zone_width > 0.0) || !(options.tolerance >= 0.0))
+    throw InvalidInputError(kStage, "the width of the zone must be positive and the tolerance not negative");
+  if (options.truth != nullptr)
+    validate(*options.truth, kStage, options.threads);
+  const std::vector<Index> border = borderVertices(mesh, adjacency);
   const TrueBorder truth(options, network);
   std::vector<FaultPoint> nearest(border.size());
   parallelFor(border.size(), 256, options.threads, [&](std::size_t i) {
-    const Vector3& vertex = part.vertices[static_cast<std::size_t>(border[i])];
+    const Vector3& vertex = mesh.vertices[static_cast<std::size_t>(border[i])];
     nearest[i] = network.nearest(vertex, options.zone_width);
     if (nearest[i].fault >= 0 && !truth.endsAtFaultNear(vertex))
       nearest[i].fault = -1;

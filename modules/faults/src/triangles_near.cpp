@@ -6,14 +6,24 @@ namespace graben {
 
 namespace {
 
+/// The box of some triangles that follow each other, larger on every side. Corners are taken as two overlapping pairs of coordinates, which the
+/// processor compares at once.
 Bounds boxOf(const TriangleMesh& mesh, std::size_t begin, std::size_t end, double reach) {
-  Bounds box;
+  using Pair = Eigen::Array2d;
+  const auto pairOf = [](const double* p) { return Eigen::Map<const Pair>(p); };
+  const Vector3& first = mesh.vertices[static_cast<std::size_t>(mesh.triangles[begin][0])];
+  Pair low_xy = pairOf(first.data()), high_xy = low_xy;
+  Pair low_yz = pairOf(first.data() + 1), high_yz = low_yz;
   for (std::size_t t = begin; t < end; ++t)
-    for (const Index v : mesh.triangles[t])
-      box.extend(mesh.vertices[static_cast<std::size_t>(v)]);
-  box.low.array() -= reach;
-  box.high.array() += reach;
-  return box;
+    for (const Index v : mesh.triangles[t]) {
+      const double* const p = mesh.vertices[static_cast<std::size_t>(v)].data();
+      const Pair xy = pairOf(p), yz = pairOf(p + 1);
+      low_xy = low_xy.min(xy);
+      high_xy = high_xy.max(xy);
+      low_yz = low_yz.min(yz);
+      high_yz = high_yz.max(yz);
+    }
+  return {Vector3(low_xy[0], low_xy[1], low_yz[1]).array() - reach, Vector3(high_xy[0], high_xy[1], high_yz[1]).array() + reach};
 }
 
 } // namespace

@@ -12,12 +12,12 @@ namespace {
 void evaluateFaults(const FinishedSurface& surface, unsigned threads, ReconstructionReport& report) {
   const auto& [cut, connections, components, faults, bridges] = surface;
   const double tolerance = kOnFault * report.used.voxel_size;
-  report.bridging_triangles = bridges ? *bridges : bridgingTriangles(cut.mesh, faults, tolerance, threads).size();
+  report.bridging_triangles = bridges ? *bridges : bridgingTriangles(cut.mesh, connections.corners, faults, tolerance, threads).size();
   SealOptions seal;
   seal.zone_width = report.used.voxel_size;
   seal.tolerance = tolerance;
   seal.threads = threads;
-  report.seal = checkSeal(cut.mesh, faults, seal);
+  report.seal = checkSeal(cut.mesh, connections.adjacency, faults, seal);
 
   std::vector<std::size_t> vertices(faults.size(), 0);
   for (const auto& on : cut.vertex_faults)

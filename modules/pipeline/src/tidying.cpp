@@ -109,7 +109,7 @@ TidyingResult tidy(CutMesh& cut, VertexCorners& corners, const TidyingInput& inp
     result.folds += removal.take(suspects.againstPicks());
   }
   if (!input.faults.empty())
-    result.bridges = removal.take(bridgingTriangles(cut.mesh, input.faults, input.on_fault, threads));
+    result.bridges = removal.take(bridgingTriangles(cut.mesh, corners, input.faults, input.on_fault, threads));
   if (removal.empty())
     return result;
   const TriangleRemoval::Result removed = removal.finish(input.crumb, threads);

@@ -118,6 +118,18 @@ TEST(Bridges, ADippingFaultWithAReverseOverlap) {
   EXPECT_EQ(bridgingTriangles(mesh, fault, kTolerance).size(), 1U);
 }
 
+TEST(Bridges, TrianglesTakenOutOfAMeshWhoseCornersAreAtHandJoinNothing) {
+  const FaultNetwork fault = test::network(test::wall(5, -1, 11));
+  TriangleMesh mesh = test::gridMesh(10);
+  const VertexCorners corners(mesh);
+  const std::vector<Index> all = bridgingTriangles(mesh, fault, kTolerance);
+  EXPECT_EQ(bridgingTriangles(mesh, corners, fault, kTolerance), all);
+  Triangle& taken = mesh.triangles[static_cast<std::size_t>(all[4])];
+  taken = {taken[0], taken[0], taken[0]};
+  EXPECT_EQ(bridgingTriangles(mesh, corners, fault, kTolerance).size(), all.size() - 2); // and the one beyond the seam
+  EXPECT_EQ(bridgingTriangles(mesh, fault, kTolerance).size(), all.size() - 2);
+}
+
 TEST(Bridges, WithoutFaultsThereAreNoneAndThreadsDoNotMatter) {
   EXPECT_TRUE(bridgingTriangles(test::gridMesh(10), FaultNetwork(), 0.0).empty());
   const FaultNetwork fault = test::network(test::wall(50.3, -1, 101), test::wall(70.1, 10, 90));

@@ -52,6 +52,20 @@ TEST(Seal, IsToldFaultByFault) {
   EXPECT_DOUBLE_EQ(report.all.share, 0.5);
 }
 
+TEST(Seal, IsTheSameWhereTheAdjacencyIsAtHand) {
+  const TriangleMesh mesh = test::gridMesh(10);
+  const FaultNetwork faults = test::network(test::wall(0.2, 3, 7), test::wall(10, -1, 11));
+  const SealReport found = checkSeal(mesh, faults, options(0.9, 1e-9));
+  const SealReport same = checkSeal(mesh, EdgeAdjacency(mesh), faults, options(0.9, 1e-9));
+  ASSERT_GT(found.faults[0].vertices, 0U);
+  for (std::size_t f = 0; f < 2; ++f) {
+    EXPECT_EQ(same.faults[f].vertices, found.faults[f].vertices);
+    EXPECT_EQ(same.faults[f].on_fault, found.faults[f].on_fault);
+    EXPECT_EQ(same.faults[f].p95, found.faults[f].p95);
+  }
+  EXPECT_THROW(checkSeal(mesh, EdgeAdjacency(mesh), faults, options(0, 0)), InvalidInputError);
+}
+
 TEST(Seal, InnerVerticesOnTheFaultAreNoBorder) {
   EXPECT_EQ(checkSeal(test::gridMesh(10), test::network(test::wall(5, -1, 11)), options(0.5, 1e-9))
                 .all.vertices,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/faults/fault_network.h"
+#include "graben/mesh/vertex_corners.h"
 
 #include <vector>
 
@@ -26,5 +27,9 @@ namespace graben {
 /// negative or NaN
 std::vector<Index> bridgingTriangles(const TriangleMesh& mesh, const FaultNetwork& network,
                                      double tolerance, unsigned threads = 0);
+
+/// The same for a valid mesh whose corners are at hand; triangles may have been taken out of it since, by making them name a vertex twice.
+std::vector<Index> bridgingTriangles(const TriangleMesh& mesh, const VertexCorners& corners, const FaultNetwork& network, double tolerance,
+                                     unsigned threads = 0);
 
 } // namespace graben

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/faults/fault_network.h"
+#include "graben/mesh/adjacency.h"
 
 #include <vector>
 
@@ -38,5 +39,8 @@ struct SealReport {
 /// deterministic. \throw InvalidInputError if the mesh is not valid or an option is out of range
 SealReport checkSeal(const TriangleMesh& mesh, const FaultNetwork& network,
                      const SealOptions& options);
+
+/// The same for a valid mesh whose adjacency is at hand.
+SealReport checkSeal(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, const FaultNetwork& network, const SealOptions& options);
 
 } // namespace graben
