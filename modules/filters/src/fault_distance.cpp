@@ -3,6 +3,7 @@
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace graben {
@@ -18,7 +19,8 @@ public:
       , limit_(limit)
       , order_(order) {}
 
-  /// Calls near(pick) for the points of [begin, end) that may be near, and within(pick) for those that are within the limit for sure.
+  /// Calls near(pick, bound) for the points of [begin, end) that may be near, the bound being no less than the smaller of the limit and their distance,
+  /// and within(pick) for those that are within the limit for sure.
   template <typename Near, typename Within>
   void look(std::size_t begin, std::size_t end, const Near& near, const Within& within) const {
     constexpr std::size_t kParts = 8, kFewest = 16;
@@ -26,24 +28,32 @@ public:
     if (box.empty())
       return;
     const double radius = 0.5 * box.diagonal();
+    FaultPoint nearest;
     if (std::isfinite(radius * radius)) {
-      const FaultPoint nearest = faults_.nearest(0.5 * box.low + 0.5 * box.high, kRoundedUp * (limit_ + radius));
+      nearest = faults_.nearest(0.5 * box.low + 0.5 * box.high, kRoundedUp * (limit_ + radius));
       if (nearest.fault < 0)
         return;
       if (kRoundedUp * (nearest.distance + radius) <= limit_)
         return forEach(begin, end, within);
     }
     if (end - begin <= kFewest)
-      return forEach(begin, end, near);
+      return forEach(begin, end, [&](std::size_t pick) { near(pick, boundOf(points_[pick], nearest)); });
     const std::size_t part = (end - begin + kParts - 1) / kParts;
     for (std::size_t at = begin; at < end; at += part)
       look(at, std::min(end, at + part), near, within);
   }
 
 private:
-  static constexpr double kRoundedUp = 1.0 + 1e-9;
+  static constexpr double kRoundedUp = 1.0 + 1e-9, kRounding = 1e-12;
 
   std::size_t pick(std::size_t i) const { return order_ != nullptr ? static_cast<std::size_t>((*order_)[i]) : i; }
+
+  /// No less than the smaller of the limit and a point's distance to the faults. \param[in] any a point of a fault, or none
+  double boundOf(const Vector3& p, const FaultPoint& any) const {
+    if (any.fault < 0)
+      return limit_;
+    return std::min(limit_, kRoundedUp * (p - any.point).norm() + kRounding * p.cwiseAbs().maxCoeff());
+  }
 
   /// Of the finite points at least; coordinates that are not numbers are passed over.
   Bounds boxOf(std::size_t begin, std::size_t end) const {
@@ -96,12 +106,12 @@ std::vector<PickNearFault> picksNearFaults(const Points& points, const FaultNetw
   const BlockSearch search(points, faults, limit, order);
   return joined<PickNearFault>(order != nullptr ? order->size() : points.size(), threads,
                                [&](std::size_t begin, std::size_t end, std::vector<PickNearFault>& found) {
-                                 const auto measure = [&](std::size_t pick) {
-                                   const FaultPoint nearest = faults.nearest(points[pick], limit);
+                                 const auto measure = [&](std::size_t pick, double bound) {
+                                   const FaultPoint nearest = faults.nearest(points[pick], bound);
                                    if (nearest.fault >= 0)
                                      found.push_back({static_cast<Index>(pick), nearest.distance});
                                  };
-                                 search.look(begin, end, measure, measure);
+                                 search.look(begin, end, measure, [&](std::size_t pick) { measure(pick, limit); });
                                });
 }
 
@@ -110,8 +120,8 @@ std::vector<Index> picksWithin(const Points& points, const FaultNetwork& faults,
   const BlockSearch search(points, faults, limit, nullptr);
   return joined<Index>(points.size(), threads, [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
     const auto take = [&](std::size_t pick) { found.push_back(static_cast<Index>(pick)); };
-    const auto measure = [&](std::size_t pick) {
-      if (faults.nearest(points[pick], limit).fault >= 0)
+    const auto measure = [&](std::size_t pick, double bound) {
+      if (bound < limit || faults.nearest(points[pick], limit).fault >= 0)
         take(pick);
     };
     search.look(begin, end, measure, take);

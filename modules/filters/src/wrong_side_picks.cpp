@@ -90,9 +90,10 @@ double onesidedDeviation(const PickField& field, double band, unsigned threads) 
 /// One search: the state of every pick, from far to near and back.
 class Search {
 public:
-  Search(const NeighborGrid& grid, const FaultNetwork& faults, const WrongSideOptions& options)
+  Search(const NeighborGrid& grid, const FaultNetwork& faults, const WrongSideOptions& options, const KnownNearFaults& known)
       : grid_(grid)
       , faults_(faults)
+      , known_(known)
       , options_(options)
       , field_{grid, faults, 0.0, 0.0, 0.0, {}, {}, {}} {}
 
@@ -131,7 +132,9 @@ private:
   void sortIntoBins() {
     constexpr double MOST_BINS = 1000.0;
     const double width = std::max(BIN * options_.mean_distance, options_.band / MOST_BINS);
-    std::vector<PickNearFault> near = picksNearFaults(grid_.points(), faults_, options_.band, &grid_.order(), options_.threads);
+    const bool known = known_.picks != nullptr && known_.limit >= options_.band && grid_.inOrder();
+    const std::vector<Index>& among = known ? *known_.picks : grid_.order();
+    std::vector<PickNearFault> near = picksNearFaults(grid_.points(), faults_, options_.band, &among, options_.threads);
     judged_ = near.size();
     for (const auto& [i, distance] : near) {
       const auto bin = static_cast<std::size_t>(distance / width);
@@ -314,6 +317,7 @@ private:
 
   const NeighborGrid& grid_;
   const FaultNetwork& faults_;
+  const KnownNearFaults& known_;
   WrongSideOptions options_;
   PickField field_;
   std::vector<FlaggedPick> flagged_;
@@ -324,9 +328,9 @@ private:
 } // namespace
 
 WrongSideResult findWrongSidePicks(const NeighborGrid& grid, const FaultNetwork& faults,
-                                   const WrongSideOptions& options) {
+                                   const WrongSideOptions& options, const KnownNearFaults& known) {
   validate(options);
-  return Search(grid, faults, options).run();
+  return Search(grid, faults, options, known).run();
 }
 
 } // namespace graben

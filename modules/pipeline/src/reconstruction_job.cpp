@@ -165,7 +165,7 @@ void ReconstructionJob::setWrongSidePicksAside() {
   WrongSideOptions o;
   o.mean_distance = mean_distance_;
   o.threads = options_.threads;
-  WrongSideResult found = findWrongSidePicks(grid_, faults_, o);
+  WrongSideResult found = findWrongSidePicks(grid_, faults_, o, {&zone_, result_.report.used.zone_width});
   result_.report.wrong_side_picks = found.wrong_side;
   result_.report.smeared_picks = found.smeared;
   reasons_ = std::move(found.reasons);

@@ -48,6 +48,12 @@ struct WrongSideResult {
   WrongSideOptions used;                     ///< the options with the estimates filled in
 };
 
+/// What is known of the picks near faults beforehand.
+struct KnownNearFaults {
+  const std::vector<Index>* picks = nullptr; ///< all within the limit, see picksWithin(); null: not known
+  double limit = 0.0;
+};
+
 /// Finds picks on the wrong side of a fault, or between its two sheets, as they come from faults
 /// that are tens of metres off.
 ///
@@ -61,8 +67,9 @@ struct WrongSideResult {
 /// Points that are not finite, and picks beside a fault (nearest to its border), are never flagged.
 /// Deterministic, the same for any number of threads. O(n) to find the picks in the band, then some
 /// tens of crossing tests for each of them.
+/// \param[in] known saves the search for the picks in the band where its limit is no less than the band and the grid is inOrder(); the result is the same
 /// \throw InvalidInputError if an option is negative or not finite
 WrongSideResult findWrongSidePicks(const NeighborGrid& grid, const FaultNetwork& faults,
-                                   const WrongSideOptions& options = {});
+                                   const WrongSideOptions& options = {}, const KnownNearFaults& known = {});
 
 } // namespace graben
