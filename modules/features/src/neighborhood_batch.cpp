@@ -115,8 +115,18 @@ bool NeighborhoodBatch::gather(const Bounds& box) {
   Bounds reached = box;
   reached.low.array() -= radius_;
   reached.high.array() += radius_;
-  near_fault_ = !faults_.empty() && faults_.mayTouch(reached);
+  markSides(reached);
   return true;
+}
+
+/// Tells the points around apart by the faults in a box that holds all that may be found.
+void NeighborhoodBatch::markSides(const Bounds& box) {
+  slabs_.gather(faults_, box);
+  marks_.clear();
+  if (slabs_.empty())
+    return;
+  for (const Index i : around_)
+    marks_.push_back(slabs_.mark(pointOf(i)));
 }
 
 /// Of the points around at one place keeps the first alone.
@@ -149,7 +159,7 @@ void NeighborhoodBatch::search(const Index* picks) {
       continue;
     }
     moments_[i] = nearby_.foundMoments();
-    simple_[i] = (moments_[i].farthest < squared_step_ || allJoin(pick)) && !(near_fault_ && crossesFault(pick));
+    simple_[i] = (moments_[i].farthest < squared_step_ || allJoin(pick)) && !(!slabs_.empty() && crossesFault(pick));
   }
   open_.resize(left);
 }
@@ -174,14 +184,21 @@ bool NeighborhoodBatch::allJoin(const Vector3& pick) {
 }
 
 /// Whether a fault lies between a pick and one of the points found for it.
-bool NeighborhoodBatch::crossesFault(const Vector3& pick) {
-  found_.clear();
-  Bounds box{pick, pick};
-  for (std::size_t i = 0; i < nearby_.foundCount(); ++i) {
-    found_.push_back(pointOf(around_[nearby_.found(i)]));
-    box.extend(found_.back());
-  }
-  return faults_.mayTouch(box) && std::any_of(found_.begin(), found_.end(), [&](const Vector3& q) { return faults_.crosses(pick, q); });
+bool NeighborhoodBatch::crossesFault(const Vector3& pick) const {
+  const FaultSlabs::Mark own = slabs_.mark(pick);
+  FaultSlabs::Mark common = own;
+  for (std::size_t i = 0; i < nearby_.foundCount(); ++i)
+    common &= marks_[nearby_.found(i)];
+  if (slabs_.clear(common))
+    return false;
+  const auto crosses = [&](std::size_t i) { return faults_.crosses(pick, pointOf(around_[nearby_.found(i)])); };
+  for (const bool opposite : {true, false}) // first where a fault is likely
+    for (std::size_t i = 0; i < nearby_.foundCount(); ++i) {
+      const FaultSlabs::Mark other = marks_[nearby_.found(i)];
+      if (!slabs_.clear(own & other) && FaultSlabs::opposite(own, other) == opposite && crosses(i))
+        return true;
+    }
+  return false;
 }
 
 } // namespace graben::detail

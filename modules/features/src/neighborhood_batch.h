@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/faults/fault_slabs.h"
 #include "graben/features/tangent_planes.h"
 #include "measured_normals.h"
 #include "nearest_moments.h"
@@ -26,7 +27,8 @@ private:
   void leaveOutRepeated();
   void search(const Index* picks);
   bool allJoin(const Vector3& pick);
-  bool crossesFault(const Vector3& pick);
+  void markSides(const Bounds& box);
+  bool crossesFault(const Vector3& pick) const;
   const Vector3& pointOf(Index i) const { return points_[static_cast<std::size_t>(i)]; }
 
   const NeighborGrid& grid_;
@@ -37,12 +39,12 @@ private:
   double squared_step_;
   double max_distance_;
   double radius_ = 0.0;          ///< likely to hold the neighbourhoods of the next picks; 0: not known
-  bool near_fault_ = false;
   std::vector<bool> simple_;
   std::vector<Moments> moments_;
   std::vector<std::size_t> open_; ///< picks whose neighbours are to be looked for in a wider ball
   NearbyPoints nearby_;
-  Points found_;                                ///< neighbours of one pick
+  FaultSlabs slabs_;                             ///< around the picks
+  std::vector<FaultSlabs::Mark> marks_;          ///< of the points around, where there are slabs
   std::vector<Index> within_step_, beyond_step_; ///< the same by their distance to it
   std::vector<PointRun> runs_;
   std::vector<Index> around_; ///< the points around, of which nearby_ holds the places, in the order of their indices
