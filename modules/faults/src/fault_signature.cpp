@@ -2,17 +2,13 @@
 
 namespace graben {
 
-namespace {
-
 // splitmix64 (public domain, S. Vigna): spreads consecutive fault indices over 64 bits.
-std::uint64_t spread(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15ULL;
+std::uint64_t signatureOf(std::size_t fault) {
+  std::uint64_t x = fault + 0x9e3779b97f4a7c15ULL;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
   return x ^ (x >> 31);
 }
-
-} // namespace
 
 std::uint64_t faultSignature(const FaultNetwork& faults, const Vector3& a, const Vector3& b) {
   Bounds box;
@@ -23,7 +19,7 @@ std::uint64_t faultSignature(const FaultNetwork& faults, const Vector3& a, const
   std::uint64_t signature = 0;
   for (std::size_t f = 0; f < faults.size(); ++f)
     if (faults.separates(f, a, b))
-      signature ^= spread(f);
+      signature ^= signatureOf(f);
   return signature;
 }
 

@@ -1,7 +1,8 @@
 #include "faulted_cells.h"
 
+#include "box_around.h"
+
 #include "graben/core/threads.h"
-#include "graben/faults/fault_signature.h"
 
 #include <algorithm>
 #include <numeric>
@@ -10,10 +11,6 @@
 namespace graben {
 
 namespace {
-
-std::uint64_t edgeKey(const LatticeIndex& low, int axis) {
-  return (latticeKey(low) << 2) | static_cast<std::uint64_t>(axis);
-}
 
 LatticeIndex axisStep(int axis) { return {axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0}; }
 
@@ -35,6 +32,11 @@ std::array<int, 8> cornerGroups(const std::array<std::uint64_t, 12>& crossed) {
     }
   }
   return group;
+}
+
+/// Whether both ends of an edge are in one group.
+bool joined(const std::array<int, 8>& groups, std::size_t edge) {
+  return groups[static_cast<std::size_t>(cube::kEdge[edge][0])] == groups[static_cast<std::size_t>(cube::kEdge[edge][1])];
 }
 
 /// What lies between a group and every other corner: exclusive-or of the crossings along the shortest way over the cell's edges.
@@ -99,21 +101,16 @@ private:
 
 void FaultedCells::findCrossings(const std::vector<LatticeIndex>& cells) {
   for (const LatticeIndex& cell : cells)
-    for (std::size_t e = 0; e < 12; ++e)
-      want(cell + cube::kCorner[static_cast<std::size_t>(cube::kEdgeLow[e])], static_cast<std::size_t>(cube::kEdgeAxis[e]));
+    wantEdges(cell, cell + LatticeIndex{1, 1, 1});
   findWanted();
 
   // Whether a corner seen through a fault lies beside a tip depends on all cells around it.
-  for (const LatticeIndex& cell : cells) {
-    if (!isCrossed(cell))
-      continue;
-    for (int i = -1; i <= 2; ++i)
-      for (int j = -1; j <= 2; ++j)
-        for (int k = -1; k <= 2; ++k)
-          for (std::size_t axis = 0; axis < 3; ++axis)
-            if ((axis == 0 ? i : axis == 1 ? j : k) < 2)
-              want(cell + LatticeIndex{i, j, k}, axis);
-  }
+  Known known;
+  for (const LatticeIndex& cell : cells)
+    if (isCrossed(cell, known)) {
+      wantEdges(cell - LatticeIndex{1, 1, 1}, cell + LatticeIndex{2, 2, 2});
+      known.block = nullptr; // blocks may have moved
+    }
   findWanted();
 }
 
@@ -128,64 +125,96 @@ std::size_t FaultedCells::makeBlock(const LatticeIndex& at) {
   return last_made_;
 }
 
-void FaultedCells::want(const LatticeIndex& low, std::size_t axis) {
-  const std::size_t b = makeBlock(block::blockOf(low));
-  EdgeBlock& of = blocks_[b];
-  const BlockMask edge = block::bit(block::slotOf(low));
-  if (((of.asked[axis] | of.wanted[axis]) & edge) != 0)
-    return;
-  if ((of.wanted[0] | of.wanted[1] | of.wanted[2]) == 0)
-    wanted_.push_back(b);
-  of.wanted[axis] |= edge;
+/// Edges between lattice vertices of a box are to be looked at.
+void FaultedCells::wantEdges(const LatticeIndex& low, const LatticeIndex& high) {
+  const LatticeIndex first = block::blockOf(low);
+  const LatticeIndex last = block::blockOf(high);
+  for (int i = first.i; i <= last.i; ++i)
+    for (int j = first.j; j <= last.j; ++j)
+      for (int k = first.k; k <= last.k; ++k) {
+        const std::size_t b = makeBlock({i, j, k});
+        EdgeBlock& of = blocks_[b];
+        const std::array<int, 3> from = {low.i - 4 * i, low.j - 4 * j, low.k - 4 * k};
+        const std::array<int, 3> to = {high.i - 4 * i, high.j - 4 * j, high.k - 4 * k};
+        const bool listed = (of.wanted[0] | of.wanted[1] | of.wanted[2]) != 0;
+        for (std::size_t along = 0; along < 3; ++along) {
+          BlockMask edges = ~of.asked[along];
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            edges &= block::layers(axis, std::max(from[axis], 0), std::min(to[axis] - (axis == along ? 1 : 0), 3));
+          of.wanted[along] |= edges;
+        }
+        if (!listed && (of.wanted[0] | of.wanted[1] | of.wanted[2]) != 0)
+          wanted_.push_back(b);
+      }
 }
 
 void FaultedCells::findWanted() {
-  std::vector<std::vector<std::pair<EdgeKey, std::uint64_t>>> found(wanted_.size());
-  parallelFor(wanted_.size(), 8, threads_, [&](std::size_t i) {
-    const EdgeBlock& of = blocks_[wanted_[i]];
-    for (int axis = 0; axis < 3; ++axis)
-      for (BlockMask rest = of.wanted[static_cast<std::size_t>(axis)]; rest != 0; rest &= rest - 1) {
-        const LatticeIndex low = block::vertexOf(of.at, block::lowest(rest));
-        const std::uint64_t signature = faultSignature(faults_, lattice_.position(low), lattice_.position(low + axisStep(axis)));
-        if (signature != 0)
-          found[i].emplace_back(edgeKey(low, axis), signature);
-      }
-  });
+  parallelFor(wanted_.size(), 8, threads_, [&](std::size_t i) { findSignatures(blocks_[wanted_[i]]); });
   for (const std::size_t b : wanted_)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      blocks_[b].asked[axis] |= std::exchange(blocks_[b].wanted[axis], 0);
-  for (std::size_t i = 0; i < wanted_.size(); ++i)
-    for (const auto& [key, signature] : found[i]) {
-      const LatticeIndex low = latticeIndexOf(key >> 2);
-      const auto axis = static_cast<std::size_t>(key & 3);
-      blocks_[wanted_[i]].crossed[axis] |= block::bit(block::slotOf(low));
-      crossing_.emplace(key, signature);
-      for (const LatticeIndex& corner : cube::kCorner) // the cells around the edge
-        if ((axis == 0 ? corner.i : axis == 1 ? corner.j : corner.k) == 0) {
-          const LatticeIndex cell = low - corner;
-          const std::size_t b = makeBlock(block::blockOf(cell));
-          blocks_[b].cells |= block::bit(block::slotOf(cell));
-        }
-    }
+    markCells(b);
   wanted_.clear();
 }
 
-/// Whether some edge of a cell is crossed, of those looked at.
-bool FaultedCells::isCrossed(const LatticeIndex& cell) const {
-  const Index found = block_.find(latticeKey(block::blockOf(cell)));
-  return found >= 0 && (blocks_[static_cast<std::size_t>(found)].cells & block::bit(block::slotOf(cell))) != 0;
+/// Looks at the wanted edges of a block.
+void FaultedCells::findSignatures(EdgeBlock& of) const {
+  Bounds box;
+  box.extend(lattice_.position(block::vertexOf(of.at, 0)));
+  box.extend(lattice_.position(block::vertexOf(of.at, 0) + LatticeIndex{4, 4, 4}));
+  // Grown, so that a fault that touches an edge on the box passes through the box.
+  const LocalFaults faults(faults_, borders_, grown(box, 0.01 * lattice_.voxel_size));
+  for (std::size_t axis = 0; axis < 3 && !faults.empty(); ++axis)
+    for (BlockMask rest = of.wanted[axis]; rest != 0; rest &= rest - 1) {
+      const LatticeIndex low = block::vertexOf(of.at, block::lowest(rest));
+      const std::uint64_t signature = faults.signature(lattice_.position(low), lattice_.position(low + axisStep(static_cast<int>(axis))));
+      if (signature == 0)
+        continue;
+      auto same = std::find_if(of.crossed.begin(), of.crossed.end(), [&](const CrossedEdges& c) { return c.signature == signature; });
+      if (same == of.crossed.end())
+        same = of.crossed.insert(same, {signature, {}});
+      same->edges[axis] |= block::bit(block::lowest(rest));
+    }
 }
 
-std::array<std::uint64_t, 12> FaultedCells::crossings(const LatticeIndex& cell) const {
+/// Marks the cells around the crossed edges of a block among those that were wanted, which now are asked for.
+void FaultedCells::markCells(std::size_t block) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EdgeBlock& of = blocks_[block];
+    const LatticeIndex at = of.at;
+    const BlockMask wanted = std::exchange(of.wanted[axis], 0);
+    of.asked[axis] |= wanted;
+    BlockMask crossed = 0;
+    for (const CrossedEdges& c : of.crossed)
+      crossed |= c.edges[axis] & wanted;
+    const auto cells = block::cellsAround(crossed, axis);
+    for (std::size_t f = 0; f < block::kForward; ++f)
+      if (cells[f] != 0)
+        blocks_[makeBlock(at - block::forward(f))].cells |= cells[f];
+  }
+}
+
+const FaultedCells::EdgeBlock* FaultedCells::blockAt(const LatticeIndex& at, Known& known) const {
+  if (known.block != nullptr && known.block->at == at)
+    return known.block;
+  const Index found = block_.find(latticeKey(at));
+  if (found < 0)
+    return nullptr;
+  return known.block = &blocks_[static_cast<std::size_t>(found)];
+}
+
+/// Whether some edge of a cell is crossed, of those looked at.
+bool FaultedCells::isCrossed(const LatticeIndex& cell, Known& known) const {
+  const EdgeBlock* of = blockAt(block::blockOf(cell), known);
+  return of != nullptr && (of->cells & block::bit(block::slotOf(cell))) != 0;
+}
+
+std::array<std::uint64_t, 12> FaultedCells::crossings(const LatticeIndex& cell, Known& known) const {
   std::array<std::uint64_t, 12> crossed{};
-  const EdgeBlock* of = nullptr;
   for (std::size_t e = 0; e < 12; ++e) {
     const LatticeIndex low = cell + cube::kCorner[static_cast<std::size_t>(cube::kEdgeLow[e])];
     const auto axis = static_cast<std::size_t>(cube::kEdgeAxis[e]);
-    if (of == nullptr || !(of->at == block::blockOf(low)))
-      of = &blocks_[static_cast<std::size_t>(block_.find(latticeKey(block::blockOf(low))))];
-    if ((of->crossed[axis] & block::bit(block::slotOf(low))) != 0)
-      crossed[e] = crossing_.at(edgeKey(low, cube::kEdgeAxis[e]));
+    for (const CrossedEdges& c : blockAt(block::blockOf(low), known)->crossed)
+      if ((c.edges[axis] & block::bit(block::slotOf(low))) != 0)
+        crossed[e] = c.signature;
   }
   return crossed;
 }
@@ -194,8 +223,11 @@ std::array<std::uint64_t, 12> FaultedCells::crossings(const LatticeIndex& cell) 
 const FaultedCells::Division& FaultedCells::divisionOf(const LatticeIndex& cell, Known& known) const {
   const auto [entry, added] = known.divisions.try_emplace(latticeKey(cell));
   if (added) {
-    entry->second.crossed = crossings(cell);
-    entry->second.groups = cornerGroups(entry->second.crossed);
+    Division& division = entry->second;
+    division.crossed = crossings(cell, known);
+    division.groups = cornerGroups(division.crossed);
+    for (std::size_t e = 0; e < 12; ++e)
+      division.has_tip = division.has_tip || (division.crossed[e] != 0 && joined(division.groups, e));
   }
   return entry->second;
 }
@@ -210,15 +242,16 @@ bool FaultedCells::nearTip(const LatticeIndex& vertex, std::uint64_t signature, 
 
 bool FaultedCells::findTip(const LatticeIndex& vertex, std::uint64_t signature, Known& known) const {
   for (const LatticeIndex& corner : cube::kCorner) {
-    if (!isCrossed(vertex - corner)) {
+    if (!isCrossed(vertex - corner, known)) {
       if (signature == 0)
         return true;
       continue;
     }
-    const auto& [crossed, groups] = divisionOf(vertex - corner, known);
+    const Division& division = divisionOf(vertex - corner, known);
+    if (signature != 0 && !division.has_tip)
+      continue;
     for (std::size_t e = 0; e < 12; ++e)
-      if (crossed[e] == signature &&
-          groups[static_cast<std::size_t>(cube::kEdge[e][0])] == groups[static_cast<std::size_t>(cube::kEdge[e][1])])
+      if (division.crossed[e] == signature && joined(division.groups, e))
         return true;
   }
   return false;
@@ -242,9 +275,9 @@ std::vector<std::vector<CellCopy>> FaultedCells::copies(const std::vector<Lattic
 /// With ghosts not numbered yet, all 0.
 std::vector<CellCopy> FaultedCells::copiesOf(const LatticeIndex& cell, Known& known) const {
   std::vector<CellCopy> result;
-  if (!isCrossed(cell))
+  if (!isCrossed(cell, known))
     return result;
-  const auto& [crossed, groups] = divisionOf(cell, known);
+  const auto& [crossed, groups, has_tip] = divisionOf(cell, known);
   if (std::all_of(groups.begin(), groups.end(), [](int g) { return g == 0; }))
     return result;
   for (int group = 0; group < 8; ++group) {
@@ -275,9 +308,9 @@ LatticeIndex FaultedCells::seedOf(const LatticeIndex& ghost, const LatticeIndex&
   bool several_faults = false;
   for (std::size_t c = 0; c < 8; ++c) {
     const LatticeIndex cell = ghost - cube::kCorner[c];
-    if (!isCrossed(cell))
+    if (!isCrossed(cell, known))
       continue;
-    const auto& [crossed, groups] = divisionOf(cell, known);
+    const auto& [crossed, groups, has_tip] = divisionOf(cell, known);
     for (const std::uint64_t signature : crossed) {
       several_faults = several_faults || (signature != 0 && only != 0 && signature != only);
       only = signature != 0 ? signature : only;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "lattice_blocks.h"
+#include "local_faults.h"
 
 #include "graben/surface/sheet_extraction.h"
 
 #include <unordered_map>
+#include <vector>
 
 namespace graben {
 
@@ -26,7 +28,8 @@ struct CellCopy {
 /// copies join.
 class FaultedCells {
 public:
-  FaultedCells(const FaultNetwork& faults, const Lattice& lattice, unsigned threads) : faults_(faults), lattice_(lattice), threads_(threads) {}
+  FaultedCells(const FaultNetwork& faults, const FaultBorders& borders, const Lattice& lattice, unsigned threads)
+    : faults_(faults), borders_(borders), lattice_(lattice), threads_(threads) {}
 
   /// To be called for all cells that a fault may touch before copies() is.
   void findCrossings(const std::vector<LatticeIndex>& cells);
@@ -37,7 +40,6 @@ public:
   const std::vector<GhostVertex>& ghosts() const { return ghosts_; }
 
 private:
-  using EdgeKey = std::uint64_t;
   struct GhostKey {
     std::uint64_t vertex;
     std::uint64_t seed; ///< or signature
@@ -51,28 +53,39 @@ private:
   struct Division {
     std::array<std::uint64_t, 12> crossed{};
     std::array<int, 8> groups{};
+    bool has_tip = false; ///< some crossed edge joins corners of one group
   };
 
-  /// What was found out about some cells, which lie beside each other.
-  struct Known {
-    std::unordered_map<std::uint64_t, Division> divisions;  ///< of cells with a crossed edge
-    std::unordered_map<GhostKey, bool, GhostHash> near_tip; ///< by vertex and signature
+  /// Edges crossed by the same faults, by their low ends.
+  struct CrossedEdges {
+    std::uint64_t signature;
+    std::array<BlockMask, 3> edges{}; ///< along each axis
   };
 
   /// A block of the lattice with edges that were looked at, by their low ends.
   struct EdgeBlock {
     LatticeIndex at;
-    std::array<BlockMask, 3> wanted{};  ///< to be looked at, for each axis
+    std::array<BlockMask, 3> wanted{};  ///< to be looked at, along each axis
     std::array<BlockMask, 3> asked{};   ///< looked at
-    std::array<BlockMask, 3> crossed{}; ///< crossed by a fault
+    std::vector<CrossedEdges> crossed;
     BlockMask cells = 0;                ///< cells with a crossed edge
   };
 
+  /// What was found out about some cells, which lie beside each other.
+  struct Known {
+    const EdgeBlock* block = nullptr;                       ///< asked for last, which is mostly the next one too
+    std::unordered_map<std::uint64_t, Division> divisions;  ///< of cells with a crossed edge
+    std::unordered_map<GhostKey, bool, GhostHash> near_tip; ///< by vertex and signature
+  };
+
   std::size_t makeBlock(const LatticeIndex& at);
-  void want(const LatticeIndex& low, std::size_t axis);
+  void wantEdges(const LatticeIndex& low, const LatticeIndex& high);
   void findWanted();
-  bool isCrossed(const LatticeIndex& cell) const;
-  std::array<std::uint64_t, 12> crossings(const LatticeIndex& cell) const;
+  void findSignatures(EdgeBlock& of) const;
+  void markCells(std::size_t block);
+  const EdgeBlock* blockAt(const LatticeIndex& at, Known& known) const;
+  bool isCrossed(const LatticeIndex& cell, Known& known) const;
+  std::array<std::uint64_t, 12> crossings(const LatticeIndex& cell, Known& known) const;
   std::vector<CellCopy> copiesOf(const LatticeIndex& cell, Known& known) const;
   const Division& divisionOf(const LatticeIndex& cell, Known& known) const;
   bool nearTip(const LatticeIndex& vertex, std::uint64_t signature, Known& known) const;
@@ -81,14 +94,14 @@ private:
   Index ghostOf(const LatticeIndex& vertex, const LatticeIndex& seed);
 
   const FaultNetwork& faults_;
+  const FaultBorders& borders_;
   const Lattice& lattice_;
   unsigned threads_;
   std::vector<GhostVertex> ghosts_;
   std::vector<EdgeBlock> blocks_;
   BlockTable block_;
-  std::size_t last_made_ = 0;                            ///< block asked for last, which is mostly the next one too
-  std::vector<std::size_t> wanted_;                      ///< blocks with edges to be looked at
-  std::unordered_map<EdgeKey, std::uint64_t> crossing_;  ///< crossed lattice edge -> signature of what crosses it
+  std::size_t last_made_ = 0;       ///< block asked for last, which is mostly the next one too
+  std::vector<std::size_t> wanted_; ///< blocks with edges to be looked at
   std::unordered_map<GhostKey, Index, GhostHash> ghost_;
 };
 

@@ -202,6 +202,12 @@ void NearbyPicks::lookAround(const Vector3* places, const Vector3* viewpoints, s
   // Where it is uncertain whether a pick can be seen, each question is one of its own.
   if (!groups_.empty() && groups_.front().sides == LocalFaults::kUncertain)
     return;
+  static constexpr Group kNoPicks{0, 0, 0};
+  for (std::size_t p = 0; p < count; ++p)
+    if (sides[p] != LocalFaults::kUncertain && std::none_of(groups_.begin(), groups_.end(), [&](const Group& g) { return g.sides == sides[p]; })) {
+      looked_around_ |= 1U << p;
+      group_[p] = &kNoPicks;
+    }
   for (const Group& group : groups_) {
     if (group.count > NearestBatch::kPoints || std::find(sides.begin(), sides.begin() + count, group.sides) == sides.begin() + count)
       continue;

@@ -85,6 +85,30 @@ inline std::array<BlockMask, kForward> cornersOf(BlockMask cells) {
   return m;
 }
 
+/// The members whose index along an axis is \a first to \a last, of 0 to 3.
+inline BlockMask layers(std::size_t axis, int first, int last) {
+  BlockMask mask = 0;
+  for (int layer = first; layer <= last; ++layer)
+    mask |= kFirst[axis] << (layer * kShift[axis]);
+  return mask;
+}
+
+/// All cells around edges along an axis, which are given by their low ends: as cells of the blocks behind (numbered as the forward ones).
+inline std::array<BlockMask, kForward> cellsAround(BlockMask edges, std::size_t along) {
+  std::array<BlockMask, kForward> m{};
+  m[0] = edges;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t step = std::size_t(4) >> axis;
+    for (std::size_t f = 0; f < kForward && axis != along; ++f) {
+      if ((f & step) != 0)
+        continue;
+      m[f | step] |= (m[f] & kFirst[axis]) << (3 * kShift[axis]);
+      m[f] |= (m[f] & ~kFirst[axis]) >> kShift[axis];
+    }
+  }
+  return m;
+}
+
 } // namespace block
 
 /// Numbers of blocks by their keys (see latticeKey()): an open-addressing hash.

@@ -167,18 +167,31 @@ int LocalFaults::sides(const Vector3& p) const {
   return bits;
 }
 
-bool LocalFaults::separates(const Sheet& sheet, const Vector3& a, const Vector3& b) const {
-  const double at_a = sheet.normal.dot(a);
-  const double at_b = sheet.normal.dot(b);
-  if ((at_a > sheet.high && at_b > sheet.high) || (at_a < sheet.low && at_b < sheet.low) || (sheet.simple && !sheet.parts))
+/// Whether a sheet lies between two places, given by where they are along its normal; nothing if one of them is within the slab.
+std::optional<bool> LocalFaults::separatesBySlab(const Sheet& sheet, double at_a, double at_b) {
+  const bool above = at_a > sheet.high && at_b > sheet.high;
+  const bool below = at_a < sheet.low && at_b < sheet.low;
+  if (above || below || (sheet.simple && !sheet.parts))
     return false;
-  if (sheet.simple) {
-    const int from = sideOf(sheet, a, at_a);
-    const int to = sideOf(sheet, b, at_b);
-    if (from != kUncertain && to != kUncertain)
-      return from != to;
-  }
-  return faults_->separates(sheet.fault, a, b);
+  if (sheet.simple && std::min(at_a, at_b) < sheet.low && std::max(at_a, at_b) > sheet.high)
+    return true;
+  return std::nullopt;
+}
+
+bool LocalFaults::separates(const Sheet& sheet, const Vector3& a, const Vector3& b) const {
+  const auto known = separatesBySlab(sheet, sheet.normal.dot(a), sheet.normal.dot(b));
+  return known ? *known : faults_->separates(sheet.fault, a, b);
+}
+
+std::uint64_t LocalFaults::signature(const Vector3& a, const Vector3& b) const {
+  if (sheets_.empty())
+    return 0;
+  if (!contains(box_, a) || !contains(box_, b))
+    return faultSignature(*faults_, a, b);
+  std::uint64_t signature = 0;
+  for (const Sheet& sheet : sheets_)
+    signature ^= separates(sheet, a, b) ? signatureOf(sheet.fault) : 0;
+  return signature;
 }
 
 bool LocalFaults::sameSide(const Vector3& a, const Vector3& b) const {

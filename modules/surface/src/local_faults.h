@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace graben {
@@ -37,6 +38,8 @@ public:
   int sides(const Vector3& p) const;
   static constexpr int kUncertain = -1;
 
+  /// What faultSignature() gives for two places in the box, but not on its very edge.
+  std::uint64_t signature(const Vector3& a, const Vector3& b) const;
   /// True if no fault is crossed an odd number of times between two places in the box.
   bool sameSide(const Vector3& a, const Vector3& b) const;
   /// True if a segment in the box meets a fault.
@@ -54,6 +57,7 @@ private:
   Sheet sheetOf(std::size_t fault, const std::vector<Index>& triangles, const FaultBorders& borders) const;
 
   int sideOf(const Sheet& sheet, const Vector3& p, double at) const;
+  static std::optional<bool> separatesBySlab(const Sheet& sheet, double at_a, double at_b);
   bool separates(const Sheet& sheet, const Vector3& a, const Vector3& b) const;
 
   const FaultNetwork* faults_ = nullptr;

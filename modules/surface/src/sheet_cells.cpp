@@ -41,7 +41,7 @@ Passages passagesOf(const LatticeBlocks& blocks, std::size_t b, BlockMask cells)
 } // namespace
 
 SheetCells::SheetCells(const SignedDistance& field, const ExtractionOptions& options)
-  : field_(field), options_(options), lattice_(options.lattice), faulted_(field.faults(), options.lattice, options.threads) {}
+  : field_(field), options_(options), lattice_(options.lattice), faulted_(field.faults(), field.borders(), options.lattice, options.threads) {}
 
 void SheetCells::grow() {
   seed();

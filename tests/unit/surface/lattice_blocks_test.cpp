@@ -52,6 +52,33 @@ TEST(BlockMasks, CornersAndCellsAreThoseOneStepFurtherAndBack) {
   }
 }
 
+TEST(BlockMasks, CellsAroundAnEdgeAreTheFourThatShareIt) {
+  const BlockMask edges = randomMasks(4)[0] & randomMasks(5)[1];
+  for (std::size_t along = 0; along < 3; ++along) {
+    std::array<BlockMask, block::kForward> expected{};
+    for (int slot = 0; slot < block::kSlots; ++slot)
+      for (const LatticeIndex& corner : cube::kCorner) {
+        if ((edges & block::bit(slot)) == 0 || std::array<int, 3>{corner.i, corner.j, corner.k}[along] != 0)
+          continue;
+        const LatticeIndex cell = block::inBlock(slot) - corner;
+        const LatticeIndex at = block::blockOf(cell);
+        expected[static_cast<std::size_t>(-(4 * at.i + 2 * at.j + at.k))] |= block::bit(block::slotOf(cell));
+      }
+    EXPECT_EQ(block::cellsAround(edges, along), expected) << along;
+  }
+}
+
+TEST(BlockMasks, LayersAreThoseBetweenTwoIndices) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (int first = 0; first < 4; ++first)
+      for (int last = -1; last < 4; ++last)
+        for (int slot = 0; slot < block::kSlots; ++slot) {
+          const LatticeIndex p = block::inBlock(slot);
+          const int at = std::array<int, 3>{p.i, p.j, p.k}[axis];
+          EXPECT_EQ((block::layers(axis, first, last) & block::bit(slot)) != 0, at >= first && at <= last);
+        }
+}
+
 TEST(BlockMasks, CornersOfCellsAreTheirEightVertices) {
   const BlockMask cells = randomMasks(3)[0];
   std::array<BlockMask, block::kForward> expected{};

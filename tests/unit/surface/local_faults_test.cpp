@@ -32,6 +32,7 @@ TEST(LocalFaults, AnswersAsTheNetworkDoes) {
       const Vector3 a = centre + random.point(half);
       const Vector3 b = centre + random.point(half);
       ASSERT_EQ(local.sameSide(a, b), sameSide(faults, a, b)) << a.transpose() << " / " << b.transpose();
+      ASSERT_EQ(local.signature(a, b), faultSignature(faults, a, b)) << a.transpose() << " / " << b.transpose();
       ASSERT_EQ(local.crosses(a, b), faults.crosses(a, b)) << a.transpose() << " / " << b.transpose();
       if (local.sides(a) != LocalFaults::kUncertain && local.sides(b) != LocalFaults::kUncertain) {
         ASSERT_EQ(local.sides(a) == local.sides(b), sameSide(faults, a, b)) << a.transpose() << " / " << b.transpose();

@@ -66,6 +66,7 @@ public:
 
   const SignedDistanceOptions& options() const { return options_; }
   const FaultNetwork& faults() const { return faults_; }
+  const FaultBorders& borders() const { return *borders_; }
   const TangentPlanes& planes() const { return planes_; }
   const NeighborGrid& grid() const { return grid_; }
 
