@@ -161,4 +161,8 @@ bool FaultNetwork::mayTouch(const Bounds& box) const {
          });
 }
 
+bool FaultNetwork::mayPart(const Points& points) const {
+  return std::any_of(bvhs_.begin(), bvhs_.end(), [&points](const TriangleBvh& bvh) { return bvh.mayPart(points.data(), points.size()); });
+}
+
 } // namespace graben

@@ -2,6 +2,8 @@
 
 #include "scaled_box.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +18,25 @@ struct StackEntry {
   Index child;
   float key; ///< lower bound of the squared distance
 };
+
+/// True if all points lie on one side of a triangle's plane, by more than rounding makes the segment queries wrong.
+/// \param[in] tolerance of those queries: what is nearer counts as touching
+bool liesAside(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3* points, std::size_t count, double tolerance) {
+  const auto sumOf = [](const Vector3& v) { return v.cwiseAbs().sum(); }; // no less than the length
+  const Vector3 normal = (b - a).cross(c - a);
+  const double rounding = 8.0 * kEpsilon * sumOf(b - a) * sumOf(c - a);
+  const double least = 2.0 * tolerance * sumOf(normal);
+  bool above = true;
+  bool below = true;
+  for (std::size_t i = 0; i < count && (above || below); ++i) {
+    const Vector3 from = points[i] - a;
+    const double volume = normal.dot(from);
+    const double limit = least + rounding * sumOf(from);
+    above = above && volume > limit;
+    below = below && volume < -limit;
+  }
+  return above || below;
+}
 
 } // namespace
 
@@ -120,15 +141,19 @@ bool TriangleBvh::walkLeaves(const Bounds& box, const Visit& visit) const {
   return true;
 }
 
+Bounds TriangleBvh::boundsOf(std::size_t place) const {
+  Bounds box;
+  for (std::size_t e = 0; e < 3; ++e)
+    box.extend(corner(place, e));
+  return box;
+}
+
 template <typename Visit>
 void TriangleBvh::walkBox(const Bounds& box, const Visit& visit) const {
   walkLeaves(box, [&](const Node& node, int k) {
     const Index leaf = node.child[static_cast<std::size_t>(k)];
     for (std::size_t i = firstPlace(leaf); i <= lastPlace(leaf); ++i) {
-      Bounds triangle;
-      for (std::size_t e = 0; e < 3; ++e)
-        triangle.extend(corner(i, e));
-      if (triangle.overlaps(box) && !visit(order_[i]))
+      if (boundsOf(i).overlaps(box) && !visit(order_[i]))
         return false;
     }
     return true;
@@ -137,6 +162,25 @@ void TriangleBvh::walkBox(const Bounds& box, const Visit& visit) const {
 
 void TriangleBvh::forEachInBox(const Bounds& box, const std::function<bool(Index)>& visit) const {
   walkBox(box, visit);
+}
+
+bool TriangleBvh::mayPart(const Vector3* points, std::size_t count) const {
+  Bounds box;
+  for (std::size_t i = 0; i < count; ++i)
+    box.extend(points[i]);
+  if (empty() || box.empty())
+    return false;
+  const double tolerance = 16.0 * kEpsilon * std::max({scale_, box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff()});
+  box.low.array() -= tolerance;
+  box.high.array() += tolerance;
+  bool part = false;
+  walkLeaves(box, [&](const Node& node, int k) {
+    const Index leaf = node.child[static_cast<std::size_t>(k)];
+    for (std::size_t i = firstPlace(leaf); i <= lastPlace(leaf) && !part; ++i)
+      part = !liesAside(corner(i, 0), corner(i, 1), corner(i, 2), points, count, tolerance) && boundsOf(i).overlaps(box);
+    return !part;
+  });
+  return part;
 }
 
 bool TriangleBvh::mayTouch(const Bounds& box) const {

@@ -49,12 +49,16 @@ VertexMover::VertexMover(const CutMesh& cut, const VertexCorners& corners, const
   : faults_(faults), threads_(threads) {
   if (faults.empty())
     return;
-  in_.assign(cut.mesh.vertices.size(), 0);
-  for (std::size_t v = 0; v < in_.size(); ++v)
+  in_belt_.assign(cut.mesh.vertices.size(), -1);
+  const auto add = [this](Index vertex) {
+    Index& number = in_belt_[static_cast<std::size_t>(vertex)];
+    if (number < 0)
+      belt_.push_back(vertex);
+    number = 0;
+  };
+  for (std::size_t v = 0; v < in_belt_.size(); ++v)
     if (cut.onFault(static_cast<Index>(v)))
-      belt_.push_back(static_cast<Index>(v));
-  for (const Index v : belt_)
-    in_[static_cast<std::size_t>(v)] = 1;
+      add(static_cast<Index>(v));
   const auto forEachAround = [&](Index vertex, const auto& visit) {
     for (const Index corner : corners.of(static_cast<std::size_t>(vertex)))
       for (const Index w : cut.mesh.triangles[static_cast<std::size_t>(corner) / 3])
@@ -64,12 +68,10 @@ VertexMover::VertexMover(const CutMesh& cut, const VertexCorners& corners, const
   std::size_t done = 0;
   for (int ring = 0; ring < kRings; ++ring)
     for (const std::size_t end = belt_.size(); done < end; ++done)
-      forEachAround(belt_[done], [this](Index w) {
-        if (in_[static_cast<std::size_t>(w)] == 0)
-          belt_.push_back(w);
-        in_[static_cast<std::size_t>(w)] = 1;
-      });
+      forEachAround(belt_[done], add);
   std::sort(belt_.begin(), belt_.end());
+  for (std::size_t i = 0; i < belt_.size(); ++i)
+    in_belt_[static_cast<std::size_t>(belt_[i])] = static_cast<Index>(i);
   for (const Index v : belt_) {
     const auto first = static_cast<std::ptrdiff_t>(neighbors_.size());
     first_.push_back(neighbors_.size());
@@ -79,14 +81,7 @@ VertexMover::VertexMover(const CutMesh& cut, const VertexCorners& corners, const
   }
   first_.push_back(neighbors_.size());
   for (const Index neighbor : neighbors_)
-    slot_.push_back(inBelt(neighbor));
-}
-
-/// Number of a vertex in the belt, -1 for one outside.
-Index VertexMover::inBelt(Index vertex) const {
-  if (in_.empty() || in_[static_cast<std::size_t>(vertex)] == 0)
-    return -1;
-  return static_cast<Index>(std::lower_bound(belt_.begin(), belt_.end(), vertex) - belt_.begin());
+    slot_.push_back(in_belt_[static_cast<std::size_t>(neighbor)]);
 }
 
 Points VertexMover::places(const CutMesh& cut) const {
@@ -98,18 +93,12 @@ Points VertexMover::places(const CutMesh& cut) const {
 }
 
 void VertexMover::send(Index vertex, const Vector3& to, CutMesh& cut, Points& targets) const {
-  const Index slot = inBelt(vertex);
+  const Index slot = in_belt_.empty() ? -1 : in_belt_[static_cast<std::size_t>(vertex)];
   (slot >= 0 ? targets[static_cast<std::size_t>(slot)] : cut.mesh.vertices[static_cast<std::size_t>(vertex)]) = to;
 }
 
 const Vector3& VertexMover::placeOf(const CutMesh& cut, const Points& targets, std::size_t neighbor) const {
   return slot_[neighbor] >= 0 ? targets[static_cast<std::size_t>(slot_[neighbor])] : cut.mesh.vertices[static_cast<std::size_t>(neighbors_[neighbor])];
-}
-
-/// True if a fault lies between a vertex off the faults and a neighbour; a neighbour on a fault is asked for just short of it.
-bool VertexMover::hidden(const CutMesh& cut, const Points& targets, const Vector3& from, std::size_t neighbor) const {
-  const Vector3& at = placeOf(cut, targets, neighbor);
-  return !sameSide(faults_, from, cut.onFault(neighbors_[neighbor]) ? Vector3(from + kShortOfFault * (at - from)) : at);
 }
 
 void VertexMover::drag(const CutMesh& cut, Points& targets) const {
@@ -139,20 +128,21 @@ void VertexMover::drag(const CutMesh& cut, Points& targets) const {
 }
 
 /// A vertex that a fault hides from the middle of its neighbours stops on the way from there; one that it hides from single neighbours, where a fault
-/// bends sharply, goes back towards the middle. \return whether it moves
-bool VertexMover::settle(const CutMesh& cut, const Points& targets, std::size_t i, Vector3& place) const {
+/// bends sharply, goes back towards the middle. A neighbour on a fault is asked for just short of it. \return whether it moves
+/// \param[out] seen the places that the vertex should see
+bool VertexMover::settle(const CutMesh& cut, const Points& targets, std::size_t i, Points& seen, Vector3& place) const {
   if (cut.onFault(belt_[i]))
     return false;
   const Vector3& at = targets[i];
-  Bounds box;
-  box.extend(at);
+  seen.clear();
   Vector3 middle = Vector3::Zero();
   for (std::size_t n = first_[i]; n < first_[i + 1]; ++n) {
     const Vector3& neighbor = placeOf(cut, targets, n);
     middle += neighbor / static_cast<double>(first_[i + 1] - first_[i]);
-    box.extend(neighbor);
+    seen.push_back(cut.onFault(neighbors_[n]) ? Vector3(at + kShortOfFault * (neighbor - at)) : neighbor);
   }
-  if (!faults_.mayTouch(box))
+  seen.insert(seen.end(), {middle, at});
+  if (!faults_.mayPart(seen))
     return false;
   if (!sameSide(faults_, middle, at)) {
     const auto crossing = faults_.firstCrossing(middle, at);
@@ -161,12 +151,10 @@ bool VertexMover::settle(const CutMesh& cut, const Points& targets, std::size_t 
     place = middle + kStop * (crossing->point - middle);
     return true;
   }
-  for (std::size_t n = first_[i]; n < first_[i + 1]; ++n)
-    if (hidden(cut, targets, at, n)) {
-      place = 0.5 * (middle + at);
-      return true;
-    }
-  return false;
+  if (std::all_of(seen.begin(), seen.end() - 2, [&](const Vector3& neighbor) { return sameSide(faults_, at, neighbor); }))
+    return false;
+  place = 0.5 * (middle + at);
+  return true;
 }
 
 void VertexMover::pullBack(const CutMesh& cut, Points& targets) const {
@@ -174,11 +162,14 @@ void VertexMover::pullBack(const CutMesh& cut, Points& targets) const {
   for (int round = 0; round < kPullRounds; ++round) {
     Points places(belt_.size());
     std::vector<std::uint8_t> moves(belt_.size(), 0);
-    parallelFor(belt_.size(), 128, threads_, [&](std::size_t i) {
-      bool stirred = moved[i] != 0;
-      for (std::size_t n = first_[i]; n < first_[i + 1] && !stirred; ++n)
-        stirred = slot_[n] >= 0 && moved[static_cast<std::size_t>(slot_[n])] != 0;
-      moves[i] = stirred && settle(cut, targets, i, places[i]) ? 1 : 0;
+    parallelBlocks(belt_.size(), 128, threads_, [&](std::size_t begin, std::size_t end) {
+      Points seen;
+      for (std::size_t i = begin; i < end; ++i) {
+        bool stirred = moved[i] != 0;
+        for (std::size_t n = first_[i]; n < first_[i + 1] && !stirred; ++n)
+          stirred = slot_[n] >= 0 && moved[static_cast<std::size_t>(slot_[n])] != 0;
+        moves[i] = stirred && settle(cut, targets, i, seen, places[i]) ? 1 : 0;
+      }
     });
     for (std::size_t i = 0; i < belt_.size(); ++i)
       if (moves[i] != 0)

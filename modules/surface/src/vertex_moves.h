@@ -37,16 +37,14 @@ public:
   void move(CutMesh& cut, Points targets) const;
 
 private:
-  Index inBelt(Index vertex) const;
   void drag(const CutMesh& cut, Points& targets) const;
   void pullBack(const CutMesh& cut, Points& targets) const;
-  bool settle(const CutMesh& cut, const Points& targets, std::size_t i, Vector3& place) const;
+  bool settle(const CutMesh& cut, const Points& targets, std::size_t i, Points& seen, Vector3& place) const;
   const Vector3& placeOf(const CutMesh& cut, const Points& targets, std::size_t neighbor) const;
-  bool hidden(const CutMesh& cut, const Points& targets, const Vector3& from, std::size_t neighbor) const;
 
   const FaultNetwork& faults_;
   unsigned threads_;
-  std::vector<std::uint8_t> in_; ///< for each vertex, whether it is in the belt; empty if none is
+  std::vector<Index> in_belt_; ///< for each vertex its number in the belt, -1 for one outside; empty if there are no faults
   std::vector<Index> belt_;
   std::vector<std::size_t> first_; ///< the neighbours of belt_[i] are neighbors_[first_[i]] to neighbors_[first_[i + 1] - 1]
   std::vector<Index> neighbors_;

@@ -22,12 +22,17 @@ public:
              const ZoneFitOptions& options)
     : cut_(cut), grid_(grid), planes_(planes), faults_(faults), borders_(faults), options_(options), viewpoints_(cut, corners) {}
 
+  struct Scratch {
+    std::vector<Neighbor> candidates;
+    Points seen; ///< the picks, and where they are looked at from
+  };
+
   /// The new position of a vertex; false if it has too few picks.
-  bool fit(Index vertex, Vector3& position, std::vector<Neighbor>& candidates) const {
+  bool fit(Index vertex, Vector3& position, Scratch& scratch) const {
     const auto v = static_cast<std::size_t>(vertex);
     const Vector3& at = cut_.mesh.vertices[v];
     Quadric sum;
-    if (addPicks(at, viewpoints_.of(vertex), sum, candidates) < 3)
+    if (addPicks(at, viewpoints_.of(vertex), sum, scratch) < 3)
       return false;
     addFaults(vertex, at, sum);
     Vector3 step = sum.minimizer(options_.relative_cutoff);
@@ -43,7 +48,8 @@ public:
   }
 
 private:
-  std::size_t addPicks(const Vector3& at, const Vector3& viewpoint, Quadric& sum, std::vector<Neighbor>& candidates) const {
+  std::size_t addPicks(const Vector3& at, const Vector3& viewpoint, Quadric& sum, Scratch& scratch) const {
+    std::vector<Neighbor>& candidates = scratch.candidates;
     const double radius = options_.search_radius > 0.0 ? options_.search_radius : std::numeric_limits<double>::infinity();
     std::size_t used = 0;
     for (std::size_t count = 2 * options_.neighbors;; count *= 4) {
@@ -52,11 +58,7 @@ private:
       grid_.nearest(viewpoint, count, candidates, radius);
       if (candidates.empty())
         return 0;
-      Bounds box;
-      box.extend(viewpoint);
-      for (const Neighbor& c : candidates)
-        box.extend(grid_.points()[static_cast<std::size_t>(c.index)]);
-      const LocalFaults sides(faults_, borders_, box);
+      const LocalFaults sides = faultsAmong(candidates, viewpoint, scratch.seen);
       for (const Neighbor& c : candidates) {
         const auto i = static_cast<std::size_t>(c.index);
         const Vector3& n = planes_.normals[i];
@@ -69,6 +71,19 @@ private:
       if (candidates.size() < count || count > 64 * options_.neighbors)
         return used;
     }
+  }
+
+  /// What parts some picks from where they are looked at.
+  LocalFaults faultsAmong(const std::vector<Neighbor>& picks, const Vector3& viewpoint, Points& seen) const {
+    seen.assign(1, viewpoint);
+    for (const Neighbor& pick : picks)
+      seen.push_back(grid_.points()[static_cast<std::size_t>(pick.index)]);
+    if (!faults_.mayPart(seen))
+      return {};
+    Bounds box;
+    for (const Vector3& p : seen)
+      box.extend(p);
+    return {faults_, borders_, box};
   }
 
   void addFaults(Index vertex, const Vector3& at, Quadric& sum) const {
@@ -129,10 +144,10 @@ ZoneFitResult fitZone(CutMesh& cut, const VertexCorners& corners, const Neighbor
     Points targets = mover.places(cut);
     std::vector<std::uint8_t> done(zone.size(), 0);
     parallelBlocks(zone.size(), 64, options.threads, [&](std::size_t begin, std::size_t end) {
-      std::vector<Neighbor> candidates;
+      ZoneFitter::Scratch scratch;
       Vector3 position;
       for (std::size_t i = begin; i < end; ++i)
-        if (fitter.fit(zone[i], position, candidates)) {
+        if (fitter.fit(zone[i], position, scratch)) {
           mover.send(zone[i], position, cut, targets);
           done[i] = 1;
         }

@@ -119,6 +119,32 @@ TEST_P(BvhAgainstBruteForce, Boxes) {
 
 INSTANTIATE_TEST_SUITE_P(Soups, BvhAgainstBruteForce, testing::Values(0, 1, 2, 5, 10, 15));
 
+TEST(TriangleBvh, PointsThatNothingPartsSeeEachOther) {
+  std::mt19937_64 generator(7);
+  const TriangleBvh bvh(test::soup(generator, 60, 1.0, 0.3));
+  int together = 0;
+  int parted = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vector3 centre = test::randomPoint(generator, -1.0, 1.0);
+    Points points;
+    for (int k = 0; k < 5; ++k)
+      points.push_back(centre + test::randomPoint(generator, -0.06, 0.06));
+    bool hit = false;
+    for (const Vector3& a : points)
+      for (const Vector3& b : points)
+        hit = hit || bvh.hits(a, b);
+    const bool may_part = bvh.mayPart(points.data(), points.size());
+    ASSERT_TRUE(may_part || !hit);
+    together += may_part ? 0 : 1;
+    parted += hit ? 1 : 0;
+  }
+  EXPECT_GT(together, 500);
+  EXPECT_GT(parted, 20);
+  const Points touching = {{0.2, 0.2, 0.0}, {0.2, 0.2, 1.0}};
+  EXPECT_TRUE(TriangleBvh(test::gridMesh(1)).mayPart(touching.data(), touching.size())); // an end on the mesh meets it
+  EXPECT_FALSE(TriangleBvh().mayPart(touching.data(), touching.size()));
+}
+
 TEST(TriangleBvh, TiesGoToTheLowestTriangle) {
   // The same triangles again and again: every query is a tie.
   TriangleMesh mesh = test::gridMesh(3);

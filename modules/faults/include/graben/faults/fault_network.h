@@ -100,6 +100,9 @@ public:
   /// picks near faults.
   bool mayTouch(const Bounds& box) const;
 
+  /// False if certainly no segment between two of the points meets a fault (conservative); one look instead of a test of every segment.
+  bool mayPart(const Points& points) const;
+
 private:
   FaultCrossing crossing(std::size_t fault, const SegmentHit& hit, const Vector3& run) const;
   FaultPoint faultPoint(std::size_t fault, const Vector3& p, const MeshPoint& found) const;

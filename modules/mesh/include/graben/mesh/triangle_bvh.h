@@ -86,6 +86,10 @@ public:
   /// touches).
   bool mayTouch(const Bounds& box) const;
 
+  /// False if certainly no segment between two of \a count points hits the mesh: all lie on one side of every triangle near them. Far faster than to ask
+  /// for each segment. Conservative: may be true where none does.
+  bool mayPart(const Vector3* points, std::size_t count) const;
+
 private:
   friend class detail::BvhBuilder;
   friend struct detail::NearestQuery;
@@ -96,6 +100,7 @@ private:
   static std::size_t lastPlace(Index leaf) { return Node::lastPlace(leaf); }
 
   const Vector3& corner(std::size_t place, std::size_t e) const { return vertices_[static_cast<std::size_t>(triangles_[place][e])]; }
+  Bounds boundsOf(std::size_t place) const;
   Vector3 scaled(const Vector3& p) const { return (p - origin_) * per_length_; }
   void search(detail::NearestQuery& query) const;
   template <typename Visit>
