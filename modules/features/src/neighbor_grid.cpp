@@ -366,6 +366,23 @@ NeighborGrid NeighborGrid::withoutThoseTakenOut(unsigned threads) const {
   return grid;
 }
 
+NeighborGrid NeighborGrid::withoutThoseTakenOut(const std::vector<Index>& taken_out, unsigned threads) const {
+  if (!inOrder())
+    return withoutThoseTakenOut(threads);
+  auto left = std::make_shared<std::vector<Index>>();
+  left->reserve(size());
+  auto from = order().begin();
+  for (const Index point : taken_out) {
+    const auto to = std::lower_bound(from, order().end(), point);
+    left->insert(left->end(), from, to);
+    from = to != order().end() && *to == point ? to + 1 : to;
+  }
+  left->insert(left->end(), from, order().end());
+  NeighborGrid grid = *this;
+  grid.order_ = std::move(left);
+  return grid;
+}
+
 double NeighborGrid::cellSize() const {
   return data_->lattice.cell_size;
 }

@@ -171,16 +171,18 @@ void ReconstructionJob::setWrongSidePicksAside() {
   reasons_ = std::move(found.reasons);
   if (found.wrong_side + found.smeared == 0)
     return;
+  std::vector<Index> taken_out;
   for (const FlaggedPick& flagged : found.flagged) {
     Vector3& place = picks_.points[static_cast<std::size_t>(flagged.pick)];
     aside_.emplace_back(flagged.pick, place);
+    taken_out.push_back(flagged.pick);
     place.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
   const auto is_aside = [this](const MeasuredNormal& m) { return reasons_[static_cast<std::size_t>(m.pick)] != PickReason::Good; };
   const auto kept = std::remove_if(picks_.measured.begin(), picks_.measured.end(), is_aside);
   result_.report.measurements_set_aside = static_cast<std::size_t>(picks_.measured.end() - kept);
   picks_.measured.erase(kept, picks_.measured.end());
-  grid_ = grid_.withoutThoseTakenOut(options_.threads);
+  grid_ = grid_.withoutThoseTakenOut(taken_out, options_.threads);
 }
 
 void ReconstructionJob::estimateNormals() {

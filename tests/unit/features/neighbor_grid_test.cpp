@@ -287,10 +287,15 @@ TEST(NeighborGrid, PointsTakenOutAreFoundNoMore) {
   const Points sheet = test::wavySheet(8000, 1000.0, 1.0);
   for (Points points : {inSpaceOrder(sheet), sheet}) {
     const NeighborGrid grid(points);
+    std::vector<Index> taken_out;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (i % 7 == 0 || i < 100 || (points[i] - Vector3(500.0, 500.0, 0.0)).norm() < 150.0)
+      if (i % 7 == 0 || i < 100 || (points[i] - Vector3(500.0, 500.0, 0.0)).norm() < 150.0) {
         points[i].setConstant(NAN_VALUE);
+        taken_out.push_back(static_cast<Index>(i));
+      }
     const NeighborGrid fewer = grid.withoutThoseTakenOut();
+    EXPECT_EQ(grid.withoutThoseTakenOut(taken_out).order(), fewer.order());
+    EXPECT_EQ(fewer.withoutThoseTakenOut(taken_out).order(), fewer.order());
     EXPECT_EQ(fewer.inOrder(), grid.inOrder());
     EXPECT_EQ(fewer.cellSize(), grid.cellSize());
     EXPECT_EQ(fewer.size(), static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [](const Vector3& p) { return p.allFinite(); })));

@@ -2,6 +2,7 @@
 #include "two_sheets.h"
 
 #include "graben/core/errors.h"
+#include "graben/filters/fault_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -150,6 +151,23 @@ TEST(WrongSidePicks, SameForAnyNumberOfThreads) {
   EXPECT_TRUE(std::equal(one.flagged.begin(), one.flagged.end(), five.flagged.begin(), five.flagged.end(),
                          [](const FlaggedPick& a, const FlaggedPick& b) { return a.pick == b.pick && a.fault == b.fault; }));
   EXPECT_EQ(one.used.sigma, five.used.sigma);
+}
+
+TEST(WrongSidePicks, SameWherePicksNearFaultsAreKnown) {
+  test::TwoSheets sheets;
+  sheets.add(6.0, 3.0, 0.0);
+  Points points;
+  for (const Index i : spaceOrder(sheets.points))
+    points.push_back(sheets.points[static_cast<std::size_t>(i)]);
+  const NeighborGrid grid(points);
+  const WrongSideResult expected = findWrongSidePicks(grid, sheets.faults);
+  EXPECT_EQ(expected.wrong_side, 1U);
+  for (const double limit : {0.5 * expected.used.band, expected.used.band, 3.0 * expected.used.band}) {
+    const std::vector<Index> near = picksWithin(points, sheets.faults, limit);
+    const WrongSideResult found = findWrongSidePicks(grid, sheets.faults, {}, {&near, limit});
+    EXPECT_EQ(found.reasons, expected.reasons);
+    EXPECT_EQ(found.judged, expected.judged);
+  }
 }
 
 TEST(WrongSidePicks, WorksInAnyUnitAndFarFromTheOrigin) {

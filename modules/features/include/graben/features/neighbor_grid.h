@@ -72,6 +72,8 @@ public:
   /// This grid after some of its points were taken out (set to NaN, the one change that is allowed): they are found no more. Where the points
   /// are inOrder() that costs a fraction of a new grid.
   NeighborGrid withoutThoseTakenOut(unsigned threads = 0) const;
+  /// The same where it is known which points these are. \param[in] taken_out their indices in rising order
+  NeighborGrid withoutThoseTakenOut(const std::vector<Index>& taken_out, unsigned threads = 0) const;
 
   const Points& points() const { return *points_; }
   /// Number of (finite) points in the grid.
