@@ -15,6 +15,7 @@ namespace graben {
 namespace {
 
 constexpr std::size_t kMostSheets = 30; // sides of each are a bit of an int
+constexpr double kThinSlab = 0.01;      // of the box's diagonal: what makes the slab no thicker is not clipped to the box
 
 /// A triangle, or the part of one in a box.
 struct Polygon {
@@ -106,20 +107,7 @@ LocalFaults::Sheet LocalFaults::sheetOf(std::size_t fault, const std::vector<Ind
     return sheet;
   }
   sheet.normal.normalize();
-  std::swap(sheet.low, sheet.high);
-  for (const Index t : triangles) {
-    Polygon polygon;
-    for (std::size_t c = 0; c < 3; ++c)
-      polygon.add(corner(t, c));
-    clip(polygon, box_);
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-      sheet.low = std::min(sheet.low, sheet.normal.dot(polygon.corner[i]));
-      sheet.high = std::max(sheet.high, sheet.normal.dot(polygon.corner[i]));
-    }
-  }
-  const double rounding = 1e-10 * (box_.low.cwiseAbs().maxCoeff() + box_.high.cwiseAbs().maxCoeff());
-  sheet.low -= rounding;
-  sheet.high += rounding;
+  findSlab(triangles, kThinSlab * box_.diagonal(), sheet);
   if (!sheet.simple)
     return sheet;
   // The corners of the box farthest to either side.
@@ -128,9 +116,46 @@ LocalFaults::Sheet LocalFaults::sheetOf(std::size_t fault, const std::vector<Ind
   for (int axis = 0; axis < 3; ++axis)
     if (sheet.normal[axis] < 0.0)
       std::swap(below[axis], above[axis]);
-  sheet.parts = sheet.normal.dot(below) < sheet.low && sheet.normal.dot(above) > sheet.high &&
-                faults_->crossings(fault, below, above).size() % 2 == 1;
+  const auto parts = [&] {
+    return sheet.normal.dot(below) < sheet.low && sheet.normal.dot(above) > sheet.high && faults_->crossings(fault, below, above).size() % 2 == 1;
+  };
+  sheet.parts = parts();
+  if (!sheet.parts) {
+    findSlab(triangles, -1.0, sheet);
+    sheet.parts = parts();
+    sheet.simple = sheet.parts || sheet.low > sheet.high; // what does not part the box from corner to corner must not be in it at all
+  }
   return sheet;
+}
+
+/// Fills in between what values along its normal a sheet lies in the box.
+/// \param[in] thin where the slab is no thicker than this it may hold what lies outside of the box too, which takes less time
+void LocalFaults::findSlab(const std::vector<Index>& triangles, double thin, Sheet& sheet) const {
+  const TriangleMesh& mesh = faults_->fault(sheet.fault).mesh;
+  sheet.low = std::numeric_limits<double>::infinity();
+  sheet.high = -sheet.low;
+  for (const Index t : triangles) {
+    Polygon polygon;
+    for (const Index v : mesh.triangles[static_cast<std::size_t>(t)])
+      polygon.add(mesh.vertices[static_cast<std::size_t>(v)]);
+    double low = sheet.low;
+    double high = sheet.high;
+    for (std::size_t c = 0; c < 3; ++c) {
+      low = std::min(low, sheet.normal.dot(polygon.corner[c]));
+      high = std::max(high, sheet.normal.dot(polygon.corner[c]));
+    }
+    if (low == sheet.low && high == sheet.high)
+      continue;
+    if (high - low > thin)
+      clip(polygon, box_);
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+      sheet.low = std::min(sheet.low, sheet.normal.dot(polygon.corner[i]));
+      sheet.high = std::max(sheet.high, sheet.normal.dot(polygon.corner[i]));
+    }
+  }
+  const double rounding = 1e-10 * (box_.low.cwiseAbs().maxCoeff() + box_.high.cwiseAbs().maxCoeff());
+  sheet.low -= rounding;
+  sheet.high += rounding;
 }
 
 /// Side of a simple sheet; of a place within the slab by the way out of it along the normal.

@@ -56,6 +56,7 @@ private:
   };
   Sheet sheetOf(std::size_t fault, const std::vector<Index>& triangles, const FaultBorders& borders) const;
 
+  void findSlab(const std::vector<Index>& triangles, double thin, Sheet& sheet) const;
   int sideOf(const Sheet& sheet, const Vector3& p, double at) const;
   static std::optional<bool> separatesBySlab(const Sheet& sheet, double at_a, double at_b);
   bool separates(const Sheet& sheet, const Vector3& a, const Vector3& b) const;

@@ -131,12 +131,18 @@ bool SignedDistance::surrounded(const Vector3& foot, const Vector3& normal, Scra
 bool SignedDistance::enclosed(const Vector3& place, const Vector3& normal, Scratch& scratch) const {
   focusFaults(boxAround(place, 0.0), scratch);
   const LocalFaults& faults = scratch.around->faults;
-  grid_.nearest(place, 4 * kEnclosingPicks, scratch.candidates, options_.fault_reach);
   DirectionsAround directions(normal);
-  for (const Neighbor& c : scratch.candidates) {
-    const Vector3& pick = grid_.points()[static_cast<std::size_t>(c.index)];
-    if (directions.size() < kEnclosingPicks && faults.sameSide(pick, place))
-      directions.add(pick - place);
+  // As many candidates as picks are wanted do where all of them are of the place's side, which is mostly so.
+  for (const std::size_t count : {kEnclosingPicks, 4 * kEnclosingPicks}) {
+    directions = DirectionsAround(normal);
+    grid_.nearest(place, count, scratch.candidates, options_.fault_reach);
+    for (const Neighbor& c : scratch.candidates) {
+      const Vector3& pick = grid_.points()[static_cast<std::size_t>(c.index)];
+      if (directions.size() < kEnclosingPicks && faults.sameSide(pick, place))
+        directions.add(pick - place);
+    }
+    if (directions.size() == kEnclosingPicks || scratch.candidates.size() < count)
+      break;
   }
   if (directions.empty())
     return false;

@@ -43,6 +43,28 @@ TEST(LocalFaults, AnswersAsTheNetworkDoes) {
   EXPECT_GT(hidden, 1000);
 }
 
+TEST(LocalFaults, AFaultThatCutsOffACornerOfTheBoxCounts) {
+  const FaultNetwork faults = bentAndBranch();
+  const FaultBorders borders(faults);
+  test::Random random(4);
+  int hidden = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double u = random.in(0.1, 0.9), v = random.in(0.1, 0.9);
+    const Vector3 on_fault(100.0 * u - 50.0, 8.0 * std::sin(5.0 * u) + 20.0 * v, 60.0 * v - 30.0);
+    const double half = random.in(2.0, 10.0);
+    Vector3 to_corner;
+    for (int axis = 0; axis < 3; ++axis)
+      to_corner[axis] = random.in(-1.0, 1.0) < 0.0 ? -half : half;
+    const Vector3 centre = on_fault - random.in(0.97, 1.0) * to_corner;
+    const LocalFaults local(faults, borders, boxAround(centre, half));
+    const Vector3 corner = centre + 0.9999 * to_corner;
+    ASSERT_EQ(local.sameSide(corner, centre), sameSide(faults, corner, centre)) << i;
+    ASSERT_EQ(local.signature(centre, corner), faultSignature(faults, centre, corner)) << i;
+    hidden += sameSide(faults, corner, centre) ? 0 : 1;
+  }
+  EXPECT_GT(hidden, 300);
+}
+
 TEST(LocalFaults, OutsideTheBoxAllFaultsCount) {
   const FaultNetwork faults = bentAndBranch();
   const LocalFaults local(faults, FaultBorders(faults), boxAround({30.0, 0.0, 0.0}, 15.0));
