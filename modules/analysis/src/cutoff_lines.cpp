@@ -51,11 +51,10 @@ void listEdges(const TriangleMesh& mesh, std::size_t t, const std::vector<std::a
 }
 
 /// Sorts edges, in their order, by the sides of faults; at a vertex where two borders touch the later edge is left to a line of its own.
-std::map<FaultSide, BorderEdges> edgesByFault(const std::vector<std::vector<EdgeOnFault>>& blocks) {
+std::map<FaultSide, BorderEdges> edgesByFault(const std::vector<EdgeOnFault>& found) {
   std::map<FaultSide, BorderEdges> edges;
-  for (const std::vector<EdgeOnFault>& block : blocks)
-    for (const EdgeOnFault& edge : block)
-      edges[edge.where].emplace(edge.from, std::make_pair(edge.to, false));
+  for (const EdgeOnFault& edge : found)
+    edges[edge.where].emplace(edge.from, std::make_pair(edge.to, false));
   return edges;
 }
 
@@ -83,11 +82,12 @@ std::vector<CutoffLine> cutoffLines(const TriangleMesh& mesh, const std::vector<
   if (vertex_faults.size() != mesh.vertices.size())
     throw InvalidInputError("cutoff lines", "there must be one entry of faults per vertex");
   constexpr std::size_t kGrain = 1 << 12;
-  std::vector<std::vector<EdgeOnFault>> blocks((mesh.triangles.size() + kGrain - 1) / kGrain);
-  parallelFor(mesh.triangles.size(), kGrain, threads,
-              [&](std::size_t t) { listEdges(mesh, t, vertex_faults, faults, adjacency, blocks[t / kGrain]); });
+  const auto found = joinBlocks<EdgeOnFault>(mesh.triangles.size(), kGrain, threads, [&](std::size_t begin, std::size_t end, std::vector<EdgeOnFault>& edges) {
+    for (std::size_t t = begin; t < end; ++t)
+      listEdges(mesh, t, vertex_faults, faults, adjacency, edges);
+  });
   std::vector<CutoffLine> lines;
-  for (auto& [where, edges] : edgesByFault(blocks)) {
+  for (auto& [where, edges] : edgesByFault(found)) {
     std::map<Index, bool> has_predecessor;
     for (const auto& edge : edges)
       has_predecessor[edge.second.first] = true;

@@ -96,14 +96,12 @@ std::vector<Index> foldedTriangles(const TriangleMesh& mesh, unsigned threads) {
   validate(mesh, kStage, threads);
   const MeshConnections connections(mesh, threads);
   constexpr std::size_t kGrain = 1 << 13;
-  std::vector<std::vector<Index>> blocks((mesh.triangles.size() + kGrain - 1) / kGrain);
-  parallelFor(mesh.triangles.size(), kGrain, threads, [&](std::size_t t) {
-    listFolds(mesh, t, [&](Index h) { return connections.adjacency.twin(h); }, blocks[t / kGrain]);
-  });
-  std::vector<Index> folds;
-  for (const std::vector<Index>& block : blocks)
-    folds.insert(folds.end(), block.begin(), block.end());
-  return blamed(mesh, connections.corners, folds);
+  const auto twin_of = [&](Index h) { return connections.adjacency.twin(h); };
+  return blamed(mesh, connections.corners,
+                joinBlocks<Index>(mesh.triangles.size(), kGrain, threads, [&](std::size_t begin, std::size_t end, std::vector<Index>& folds) {
+                  for (std::size_t t = begin; t < end; ++t)
+                    listFolds(mesh, t, twin_of, folds);
+                }));
 }
 
 std::vector<Index> foldedTriangles(const TriangleMesh& mesh, const VertexCorners& corners, const std::vector<Index>& suspects) {

@@ -32,23 +32,18 @@ Bounds boxOf(const TriangleMesh& mesh, std::size_t begin, std::size_t end, doubl
 std::vector<Index> trianglesNear(const FaultNetwork& network, const TriangleMesh& mesh, double reach, unsigned threads) {
   constexpr std::size_t kRun = 64;
   constexpr std::size_t kGrain = 64 * kRun;
-  std::vector<Index> result;
   if (network.empty())
-    return result;
-  std::vector<std::vector<Index>> blocks((mesh.triangles.size() + kGrain - 1) / kGrain);
-  parallelBlocks(mesh.triangles.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
+    return {};
+  return joinBlocks<Index>(mesh.triangles.size(), kGrain, threads, [&](std::size_t begin, std::size_t end, std::vector<Index>& near) {
     for (std::size_t run = begin; run < end; run += kRun) {
       const std::size_t run_end = std::min(end, run + kRun);
       if (!network.mayTouch(boxOf(mesh, run, run_end, reach)))
         continue;
       for (std::size_t t = run; t < run_end; ++t)
         if (network.mayTouch(boxOf(mesh, t, t + 1, reach)))
-          blocks[begin / kGrain].push_back(static_cast<Index>(t));
+          near.push_back(static_cast<Index>(t));
     }
   });
-  for (const std::vector<Index>& block : blocks)
-    result.insert(result.end(), block.begin(), block.end());
-  return result;
 }
 
 } // namespace graben

@@ -54,16 +54,11 @@ constexpr double SURE = 0.70711; // normals closer to the axis than 45 degrees a
 std::vector<Index> doubtfulNormals(const NeighborGrid& grid, const OrientationOptions& options, const Points& normals) {
   constexpr std::size_t GRAIN = 1 << 14;
   const Vector3 up = options.up.normalized();
-  std::vector<std::vector<Index>> parts((grid.size() + GRAIN - 1) / GRAIN);
-  parallelBlocks(grid.size(), GRAIN, options.threads, [&](std::size_t begin, std::size_t end) {
+  return joinBlocks<Index>(grid.size(), GRAIN, options.threads, [&](std::size_t begin, std::size_t end, std::vector<Index>& doubtful) {
     for (std::size_t i = begin; i < end; ++i)
       if (std::abs(normals[static_cast<std::size_t>(grid.order()[i])].dot(up)) < SURE)
-        parts[begin / GRAIN].push_back(grid.order()[i]);
+        doubtful.push_back(grid.order()[i]);
   });
-  std::vector<Index> doubtful;
-  for (const std::vector<Index>& part : parts)
-    doubtful.insert(doubtful.end(), part.begin(), part.end());
-  return doubtful;
 }
 
 /// Turns normals up, and a few in doubt towards those that are not within rho + delta; see orientNormals().

@@ -81,17 +81,7 @@ private:
   const std::vector<Index>* order_;
 };
 
-/// What the blocks add, joined in their order. \param[in] look adds what it finds in a range to a list
-template <typename Item, typename Look>
-std::vector<Item> joined(std::size_t count, unsigned threads, const Look& look) {
-  constexpr std::size_t kBlock = 2048;
-  std::vector<std::vector<Item>> found((count + kBlock - 1) / kBlock);
-  parallelBlocks(count, kBlock, threads, [&](std::size_t begin, std::size_t end) { look(begin, end, found[begin / kBlock]); });
-  std::vector<Item> all;
-  for (const std::vector<Item>& items : found)
-    all.insert(all.end(), items.begin(), items.end());
-  return all;
-}
+constexpr std::size_t kGrain = 2048;
 
 void checkLimit(double limit) {
   if (!(limit >= 0.0))
@@ -104,7 +94,7 @@ std::vector<PickNearFault> picksNearFaults(const Points& points, const FaultNetw
                                            unsigned threads) {
   checkLimit(limit);
   const BlockSearch search(points, faults, limit, order);
-  return joined<PickNearFault>(order != nullptr ? order->size() : points.size(), threads,
+  return joinBlocks<PickNearFault>(order != nullptr ? order->size() : points.size(), kGrain, threads,
                                [&](std::size_t begin, std::size_t end, std::vector<PickNearFault>& found) {
                                  const auto measure = [&](std::size_t pick, double bound) {
                                    const FaultPoint nearest = faults.nearest(points[pick], bound);
@@ -118,7 +108,7 @@ std::vector<PickNearFault> picksNearFaults(const Points& points, const FaultNetw
 std::vector<Index> picksWithin(const Points& points, const FaultNetwork& faults, double limit, unsigned threads) {
   checkLimit(limit);
   const BlockSearch search(points, faults, limit, nullptr);
-  return joined<Index>(points.size(), threads, [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
+  return joinBlocks<Index>(points.size(), kGrain, threads, [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
     const auto take = [&](std::size_t pick) { found.push_back(static_cast<Index>(pick)); };
     const auto measure = [&](std::size_t pick, double bound) {
       if (bound < limit || faults.nearest(points[pick], limit).fault >= 0)

@@ -48,10 +48,7 @@ TriangleRuns::TriangleRuns(const TriangleMesh& mesh, unsigned threads) {
 
 std::vector<TriangleRuns::BoxedRun> TriangleRuns::form(const TriangleMesh& mesh, unsigned threads) const {
   constexpr std::size_t kGrain = 1 << 12;
-  const std::size_t triangles = mesh.triangles.size();
-  std::vector<std::vector<BoxedRun>> blocks((triangles + kGrain - 1) / kGrain);
-  parallelBlocks(triangles, kGrain, threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<BoxedRun>& runs = blocks[begin / kGrain];
+  return joinBlocks<BoxedRun>(mesh.triangles.size(), kGrain, threads, [&](std::size_t begin, std::size_t end, std::vector<BoxedRun>& runs) {
     double largest = 0.0;
     for (std::size_t t = begin; t < end; ++t) {
       const Bounds box = boundsOf(mesh, mesh.triangles[t]);
@@ -71,10 +68,6 @@ std::vector<TriangleRuns::BoxedRun> TriangleRuns::form(const TriangleMesh& mesh,
       largest = size;
     }
   });
-  std::vector<BoxedRun> all;
-  for (const std::vector<BoxedRun>& block : blocks)
-    all.insert(all.end(), block.begin(), block.end());
-  return all;
 }
 
 void TriangleRuns::chooseUnits(const std::vector<BoxedRun>& runs) {

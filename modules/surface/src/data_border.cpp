@@ -108,14 +108,11 @@ private:
   /// Triangles with a corner in the belt.
   void findTriangles() {
     constexpr std::size_t grain = 1 << 14;
-    std::vector<std::vector<std::size_t>> parts((mesh_.triangles.size() + grain - 1) / grain);
-    parallelBlocks(mesh_.triangles.size(), grain, options_.threads, [&](std::size_t begin, std::size_t end) {
+    near_ = joinBlocks<std::size_t>(mesh_.triangles.size(), grain, options_.threads, [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& near) {
       for (std::size_t t = begin; t < end; ++t)
         if (std::any_of(mesh_.triangles[t].begin(), mesh_.triangles[t].end(), [this](Index v) { return belt_place_[static_cast<std::size_t>(v)] >= 0; }))
-          parts[begin / grain].push_back(t);
+          near.push_back(t);
     });
-    for (const std::vector<std::size_t>& part : parts)
-      near_.insert(near_.end(), part.begin(), part.end());
   }
 
   void measure() {

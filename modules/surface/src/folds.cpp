@@ -76,15 +76,11 @@ void moveCorners(CutMesh& cut, const std::vector<Index>& triangles, const PlaceO
 
 std::vector<Index> standingOut(const TriangleMesh& mesh, unsigned threads) {
   constexpr std::size_t kGrain = 1 << 13;
-  std::vector<std::vector<Index>> blocks((mesh.triangles.size() + kGrain - 1) / kGrain);
-  parallelFor(mesh.triangles.size(), kGrain, threads, [&](std::size_t t) {
-    if (standsOut(mesh, mesh.triangles[t]))
-      blocks[t / kGrain].push_back(static_cast<Index>(t));
+  return joinBlocks<Index>(mesh.triangles.size(), kGrain, threads, [&](std::size_t begin, std::size_t end, std::vector<Index>& found) {
+    for (std::size_t t = begin; t < end; ++t)
+      if (standsOut(mesh, mesh.triangles[t]))
+        found.push_back(static_cast<Index>(t));
   });
-  std::vector<Index> found;
-  for (const std::vector<Index>& block : blocks)
-    found.insert(found.end(), block.begin(), block.end());
-  return found;
 }
 
 std::vector<Index> turnedTriangles(const TriangleMesh& mesh, const VertexCorners& corners, const std::vector<Index>& suspects) {

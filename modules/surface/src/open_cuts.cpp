@@ -35,21 +35,17 @@ std::vector<Parting> findPartings(const CutState& state, unsigned threads) {
   constexpr std::size_t kGrain = 4096;
   const VertexCorners corners(state.out.mesh, threads);
   const std::size_t vertices = state.out.mesh.vertices.size();
-  std::vector<std::vector<Parting>> blocks((vertices + kGrain - 1) / kGrain);
-  parallelBlocks(vertices, kGrain, threads, [&](std::size_t begin, std::size_t end) {
+  std::vector<Parting> all = joinBlocks<Parting>(vertices, kGrain, threads, [&](std::size_t begin, std::size_t end, std::vector<Parting>& found) {
     Fans fans(state.out, &state);
     for (std::size_t v = begin; v < end; ++v) {
       const auto vertex = static_cast<Index>(v);
       if (fans.find(vertex, corners.of(v)) > 1)
         fans.visit([&](Index corner, std::size_t fan) {
           if (fan > 0)
-            blocks[begin / kGrain].push_back({corner, vertex, fan});
+            found.push_back({corner, vertex, fan});
         });
     }
   });
-  std::vector<Parting> all;
-  for (const std::vector<Parting>& block : blocks)
-    all.insert(all.end(), block.begin(), block.end());
   std::sort(all.begin(), all.end(), [](const Parting& a, const Parting& b) { return a.corner < b.corner; });
   return all;
 }

@@ -29,19 +29,17 @@ Vector3 ontoFaults(const FaultNetwork& faults, const std::array<Index, 2>& on, V
 void growRings(const std::vector<Triangle>& triangles, int rings, unsigned threads, std::vector<std::uint8_t>& in) {
   constexpr std::size_t grain = 1 << 14;
   for (int ring = 0; ring < rings; ++ring) {
-    std::vector<std::vector<std::size_t>> reached((triangles.size() + grain - 1) / grain);
-    parallelBlocks(triangles.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    const auto found = joinBlocks<std::size_t>(triangles.size(), grain, threads, [&](std::size_t begin, std::size_t end, std::vector<std::size_t>& reached) {
       for (std::size_t t = begin; t < end; ++t) {
         const int corners = in[static_cast<std::size_t>(triangles[t][0])] + in[static_cast<std::size_t>(triangles[t][1])] +
                             in[static_cast<std::size_t>(triangles[t][2])];
         if (corners > 0 && corners < 3)
-          reached[begin / grain].push_back(t);
+          reached.push_back(t);
       }
     });
-    for (const std::vector<std::size_t>& part : reached)
-      for (const std::size_t t : part)
-        for (const Index v : triangles[t])
-          in[static_cast<std::size_t>(v)] = 1;
+    for (const std::size_t t : found)
+      for (const Index v : triangles[t])
+        in[static_cast<std::size_t>(v)] = 1;
   }
 }
 

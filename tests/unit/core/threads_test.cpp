@@ -27,6 +27,21 @@ TEST(Threads, BlockLimitsDependOnTheGrainAlone) {
   EXPECT_EQ(begins, (std::vector<std::size_t>{0, 3, 6, 9}));
 }
 
+TEST(Threads, WhatBlocksFindIsJoinedInTheirOrder) {
+  std::vector<std::size_t> odd;
+  for (std::size_t i = 1; i < 1000; i += 2)
+    odd.push_back(i);
+  for (const unsigned threads : {0U, 1U, 3U, 8U})
+    EXPECT_EQ(joinBlocks<std::size_t>(1000, 7, threads,
+                                      [](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
+                                        for (std::size_t i = begin; i < end; ++i)
+                                          if (i % 2 == 1)
+                                            found.push_back(i);
+                                      }),
+              odd);
+  EXPECT_TRUE(joinBlocks<int>(0, 7, 2, [](std::size_t, std::size_t, std::vector<int>& found) { found.push_back(1); }).empty());
+}
+
 TEST(Threads, AnExceptionReachesTheCaller) {
   EXPECT_THROW(parallelFor(100, 1, 4,
                            [](std::size_t i) {

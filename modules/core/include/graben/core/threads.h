@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <vector>
 
 namespace graben {
 
@@ -45,6 +46,18 @@ void parallelFor(std::size_t count, std::size_t grain, unsigned threads, const B
     for (std::size_t i = begin; i < end; ++i)
       body(i);
   });
+}
+
+/// What the blocks find, joined in their order: calls body(begin, end, found) for each block, which appends to a list of its own; see parallelBlocks.
+template <typename Item, typename Body>
+std::vector<Item> joinBlocks(std::size_t count, std::size_t grain, unsigned threads, const Body& body) {
+  grain = std::max<std::size_t>(grain, 1);
+  std::vector<std::vector<Item>> blocks((count + grain - 1) / grain);
+  parallelBlocks(count, grain, threads, [&](std::size_t begin, std::size_t end) { body(begin, end, blocks[begin / grain]); });
+  std::vector<Item> all;
+  for (const std::vector<Item>& found : blocks)
+    all.insert(all.end(), found.begin(), found.end());
+  return all;
 }
 
 } // namespace graben
