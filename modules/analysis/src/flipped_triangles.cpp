@@ -1,6 +1,7 @@
 #include "graben/analysis/flipped_triangles.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/sort_unique.h"
 #include "graben/core/threads.h"
 #include "graben/mesh/components.h"
 #include "graben/mesh/connections.h"
@@ -37,22 +38,17 @@ void listFolds(const TriangleMesh& mesh, std::size_t t, const TwinOf& twin_of, s
   }
 }
 
-std::vector<Index> inOrderOnce(std::vector<Index> values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
-}
-
 /// For each fold the triangle to blame.
-std::vector<Index> blamed(const TriangleMesh& mesh, const VertexCorners& corners, const std::vector<Index>& folds) {
+std::vector<Index> blamed(const TriangleMesh& mesh, const VertexCorners& corners, std::vector<Index> folds) {
   const auto areaAround = [&](Index v) {
     Vector3 sum = Vector3::Zero();
     for (const Index corner : corners.of(static_cast<std::size_t>(v)))
       sum += areaNormal(mesh, mesh.triangles[static_cast<std::size_t>(corner / 3)]);
     return sum;
   };
+  sortUnique(folds);
   std::vector<Index> result;
-  for (const Index h : inOrderOnce(folds)) {
+  for (const Index h : folds) {
     const Triangle& triangle = mesh.triangles[static_cast<std::size_t>(h / 3)];
     const auto e = static_cast<std::size_t>(h % 3);
     const Vector3 mean = areaAround(triangle[e]) + areaAround(triangle[(e + 1) % 3]);
@@ -60,7 +56,8 @@ std::vector<Index> blamed(const TriangleMesh& mesh, const VertexCorners& corners
     const auto agreement = [&](const Triangle& t) { return areaNormal(mesh, t).normalized().dot(mean); };
     result.push_back(agreement(triangle) < agreement(mesh.triangles[static_cast<std::size_t>(other)]) ? h / 3 : other);
   }
-  return inOrderOnce(std::move(result));
+  sortUnique(result);
+  return result;
 }
 
 /// The triangles with wrong[t] set; the others with an area if most of it is in those set.
@@ -112,7 +109,7 @@ std::vector<Index> foldedTriangles(const TriangleMesh& mesh, const VertexCorners
   };
   for (const Index t : suspects)
     listFolds(mesh, static_cast<std::size_t>(t), twin_of, folds);
-  return blamed(mesh, corners, folds);
+  return blamed(mesh, corners, std::move(folds));
 }
 
 std::vector<Index> trianglesAgainst(const TriangleMesh& mesh, const TriangleMesh& truth,

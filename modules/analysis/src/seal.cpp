@@ -5,6 +5,7 @@
 
 #include "graben/analysis/statistics.h"
 #include "graben/core/errors.h"
+#include "graben/core/sort_unique.h"
 #include "graben/core/threads.h"
 
 #include <algorithm>
@@ -19,8 +20,7 @@ std::vector<Index> borderVertices(const TriangleMesh& mesh, const EdgeAdjacency&
   std::vector<Index> result;
   for (const auto& edge : borderEdges(mesh, adjacency))
     result.insert(result.end(), edge.begin(), edge.end());
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  sortUnique(result);
   return result;
 }
 

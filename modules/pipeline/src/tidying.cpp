@@ -4,11 +4,10 @@
 
 #include "graben/analysis/bridges.h"
 #include "graben/analysis/flipped_triangles.h"
+#include "graben/core/sort_unique.h"
 #include "graben/mesh/normals.h"
 #include "graben/surface/crumbs.h"
 #include "graben/surface/folds.h"
-
-#include <algorithm>
 
 namespace graben {
 
@@ -16,11 +15,6 @@ namespace {
 
 constexpr int kRounds = 4;
 constexpr int kBeforeSliding = 2; // rounds
-
-void sortOnce(std::vector<Index>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 /// The triangles that may be out of order, on which all that is done to the mesh keeps an eye.
 class Suspects {
@@ -45,7 +39,7 @@ public:
     relaxed_.insert(relaxed_.end(), triangles.begin(), triangles.end());
     const std::vector<Index> moved = around(triangles);
     triangles_.insert(triangles_.end(), moved.begin(), moved.end());
-    sortOnce(triangles_);
+    sortUnique(triangles_);
   }
 
   /// Brings normals up to date; from now on those alone are suspect that what was relaxed may have changed. \return whether anything was
@@ -54,7 +48,7 @@ public:
     std::vector<Index> vertices;
     for (const Index t : moved)
       vertices.insert(vertices.end(), triangle(t).begin(), triangle(t).end());
-    sortOnce(vertices);
+    sortUnique(vertices);
     updateVertexNormals(cut_.mesh, corners_, vertices, threads_);
     triangles_ = around(moved);
     relaxed_.clear();
@@ -71,7 +65,7 @@ private:
       for (const Index v : triangle(t))
         for (const Index corner : corners_.of(static_cast<std::size_t>(v)))
           found.push_back(corner / 3);
-    sortOnce(found);
+    sortUnique(found);
     return found;
   }
 
@@ -83,7 +77,7 @@ private:
   std::vector<Index> relaxed_;
 };
 
-/// \return false if the last round was not the first to find nothing
+/// Relaxes what is out of order, for a few rounds. \return whether nothing was left to relax
 bool unfold(Suspects& suspects) {
   for (int round = 0; round < kRounds; ++round) {
     const bool slide = round >= kBeforeSliding;

@@ -2,6 +2,7 @@
 
 #include "fans.h"
 
+#include "graben/core/sort_unique.h"
 #include "graben/mesh/components.h"
 
 #include <algorithm>
@@ -71,8 +72,7 @@ void TriangleRemoval::divide(Index vertex) {
 }
 
 TriangleRemoval::Result TriangleRemoval::finish(std::size_t least, unsigned threads) {
-  std::sort(touched_.begin(), touched_.end());
-  touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+  sortUnique(touched_);
   for (std::size_t i = 0, count = touched_.size(); i < count; ++i)
     divide(touched_[i]);
   Components components = connectedComponents(cut_.mesh, threads);

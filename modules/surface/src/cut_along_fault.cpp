@@ -1,6 +1,7 @@
 #include "box_around.h"
 #include "cut_state.h"
 
+#include "graben/core/sort_unique.h"
 #include "graben/core/threads.h"
 #include "graben/faults/fault_network.h"
 #include "graben/mesh/adjacency.h"
@@ -82,8 +83,7 @@ private:
     std::vector<Index> vertices;
     for (const std::size_t t : near_)
       vertices.insert(vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sortUnique(vertices);
     std::vector<FaultPoint> found(vertices.size());
     parallelFor(vertices.size(), 256, threads_, [&](std::size_t i) {
       found[i] = faults_.nearest(fault_, mesh_.vertices[static_cast<std::size_t>(vertices[i])], tolerance_);
@@ -106,8 +106,7 @@ private:
         if (!on(v[e]) && !on(v[(e + 1) % 3]))
           keys.push_back(CutState::edge(v[e], v[(e + 1) % 3]));
     }
-    std::sort(keys.begin(), keys.end());
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    sortUnique(keys);
     std::vector<EdgeCrossing> crossings(keys.size());
     parallelFor(keys.size(), 256, threads_, [&](std::size_t i) {
       crossings[i].edge = keys[i];

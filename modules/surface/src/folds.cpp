@@ -2,6 +2,7 @@
 
 #include "vertex_moves.h"
 
+#include "graben/core/sort_unique.h"
 #include "graben/core/threads.h"
 #include "graben/mesh/adjacency.h"
 #include "graben/mesh/normals.h"
@@ -61,8 +62,7 @@ void moveCorners(CutMesh& cut, const std::vector<Index>& triangles, const PlaceO
   for (const Index t : triangles)
     for (const Index v : cut.mesh.triangles[static_cast<std::size_t>(t)])
       vertices.push_back(v);
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sortUnique(vertices);
   std::vector<std::pair<Index, Vector3>> moves;
   Vector3 place;
   for (const Index v : vertices)

@@ -1,5 +1,6 @@
 #include "sheet_edges.h"
 
+#include "graben/core/sort_unique.h"
 #include "graben/core/threads.h"
 
 #include <algorithm>
@@ -71,8 +72,7 @@ void SheetEdges::findGhostEdges() {
           block::bit(ends.low % block::kSlots);
     }
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sortUnique(found);
   for (const NodeEdge& ends : found)
     ghost_edges_.push_back({ends, kNone, -1});
 }
