@@ -6,6 +6,7 @@
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 #include "graben/mesh/adjacency.h"
+#include "graben/mesh/triangle_bounds.h"
 
 #include <algorithm>
 #include <array>
@@ -76,9 +77,7 @@ public:
 
   /// \param[in] t a number of one of triangles()
   bool isBridge(std::size_t t) const {
-    Bounds box;
-    for (std::size_t e = 0; e < 3; ++e)
-      box.extend(corner(t, e));
+    Bounds box = boundsOf(part_.mesh, part_.mesh.triangles[t]);
     box.low.array() -= tolerance_;
     box.high.array() += tolerance_;
     for (std::size_t f = 0; f < faults_.size(); ++f)

@@ -51,7 +51,6 @@ struct RunsView {
   const EightBoxes* level[kMostLevels]; ///< node i of a level holds the boxes of nodes 8 i to 8 i + 7 of the one before, of the first those of the runs
   int levels;
   const TriangleRun* runs;
-  std::size_t count; ///< of runs
   const std::int32_t* triangles; ///< three corners each
   const double* vertices;        ///< x y z each
   double origin[3];              ///< of the frame of the boxes

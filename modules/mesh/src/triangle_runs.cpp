@@ -119,7 +119,6 @@ void TriangleRuns::stackBoxes(const std::vector<BoxedRun>& runs) {
 RunsView TriangleRuns::view(const TriangleMesh& mesh) const {
   RunsView view;
   view.runs = runs_.data();
-  view.count = runs_.size();
   view.levels = static_cast<int>(levels_.size());
   for (std::size_t l = 0; l < levels_.size(); ++l)
     view.level[l] = levels_[l].data();

@@ -114,13 +114,8 @@ GRABEN_AVX2_CLONE std::size_t collectFrom(const PickBlock* blocks, const std::in
       const Lanes height = x * query.normal[0] + y * query.normal[1] + z * query.normal[2];
       const Lanes cosine = normal_x * query.normal[0] + normal_y * query.normal[1] + normal_z * query.normal[2];
       const Lanes squared = u * u + v * v;
-      const Packing kept((squared + height * height <= query.squared_radius) & (cosine > query.least_cosine));
-      kept.store(u, out.u + found);
-      kept.store(v, out.v + found);
-      kept.store(height, out.height + found);
-      kept.store(squared, out.squared + found);
-      kept.store(block.index + i, out.index + found);
-      found += kept.count();
+      const Packing chosen((squared + height * height <= query.squared_radius) & (cosine > query.least_cosine));
+      append(chosen, u, v, height, squared, block.index + i, out, found);
     }
   }
   return found;

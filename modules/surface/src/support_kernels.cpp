@@ -17,13 +17,7 @@ GRABEN_AVX2_CLONE std::size_t keepWithin(double squared_distance, const PickArra
     load(picks.v + i, v);
     load(picks.height + i, height);
     load(picks.squared + i, squared);
-    const Packing kept(squared <= squared_distance);
-    kept.store(u, picks.u + found);
-    kept.store(v, picks.v + found);
-    kept.store(height, picks.height + found);
-    kept.store(squared, picks.squared + found);
-    kept.store(picks.index + i, picks.index + found);
-    found += kept.count();
+    append(Packing(squared <= squared_distance), u, v, height, squared, picks.index + i, picks, found);
   }
   return found;
 }

@@ -20,6 +20,17 @@ struct PickArrays {
   std::int32_t* index;
 };
 
+/// Appends those of kLanes picks that are chosen to the \a count there are; the arrays have room for kLanes more.
+[[gnu::always_inline]] inline void append(const Packing& chosen, const Lanes& u, const Lanes& v, const Lanes& height, const Lanes& squared,
+                                          const std::int32_t* index, const PickArrays& out, std::size_t& count) {
+  chosen.store(u, out.u + count);
+  chosen.store(v, out.v + count);
+  chosen.store(height, out.height + count);
+  chosen.store(squared, out.squared + count);
+  chosen.store(index, out.index + count);
+  count += chosen.count();
+}
+
 /// Keeps the picks for which keep(i) holds, in their order.
 template <typename Keep>
 void keepIf(const PickArrays& picks, std::size_t& count, const Keep& keep) {

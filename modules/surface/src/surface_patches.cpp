@@ -54,6 +54,20 @@ std::size_t narrowerSupport(const LocalFit& fit, LocalSurface patch, LocalModel 
 
 } // namespace
 
+void setLane(const LocalSurface& surface, const Vector3& centre, double reach, std::size_t lane, PatchLanes& lanes) {
+  lanes.inverse_square[lane] = 1.0 / (reach * reach);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    lanes.centre[axis][lane] = centre[axis];
+    lanes.origin[axis][lane] = surface.centre[axis];
+    lanes.u[axis][lane] = surface.u[axis] / surface.radius;
+    lanes.v[axis][lane] = surface.v[axis] / surface.radius;
+    lanes.normal[axis][lane] = surface.normal[axis];
+  }
+  for (std::size_t k = 0; k < surface.coefficients.size(); ++k)
+    lanes.coefficients[k][lane] = surface.coefficients[k];
+  lanes.bend[lane] = bendOf(surface.coefficients.data());
+}
+
 SurfacePatches::SurfacePatches(const LocalFit& fit, const ModelChoice& models, double near_distance, unsigned threads) : fit_(fit) {
   choosePicks(models, near_distance, threads);
   patches_.resize(picks_.size());
@@ -149,19 +163,7 @@ void SurfacePatches::setLanes(Block& block) const {
     if (i >= block.patches.size())
       continue;
     const auto p = static_cast<std::size_t>(block.patches[i]);
-    const LocalSurface& patch = patches_[p];
-    const double reach = kShare * patch.radius;
-    lanes.inverse_square[lane] = 1.0 / (reach * reach);
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      lanes.centre[axis][lane] = centres_[p][axis];
-      lanes.origin[axis][lane] = patch.centre[axis];
-      lanes.u[axis][lane] = patch.u[axis] / patch.radius;
-      lanes.v[axis][lane] = patch.v[axis] / patch.radius;
-      lanes.normal[axis][lane] = patch.normal[axis];
-    }
-    for (std::size_t k = 0; k < patch.coefficients.size(); ++k)
-      lanes.coefficients[k][lane] = patch.coefficients[k];
-    lanes.bend[lane] = bendOf(patch.coefficients.data());
+    setLane(patches_[p], centres_[p], kShare * patches_[p].radius, lane, lanes);
   }
 }
 

@@ -9,6 +9,9 @@
 
 namespace graben::detail {
 
+/// Puts a piece of surface into one of the lanes. \param[in] centre of its picks \param[in] reach about it
+void setLane(const LocalSurface& surface, const Vector3& centre, double reach, std::size_t lane, PatchLanes& lanes);
+
 /// Fitted pieces of surface spread evenly over the picks, each about a pick of its own, which overlap so that every place among the picks has a few:
 /// their weighted mean is the surface there, smooth from place to place, at a fraction of the cost of a fit of its own for every place.
 ///

@@ -1,7 +1,7 @@
 #include "graben/surface/crumbs.h"
 
 #include "graben/mesh/components.h"
-#include "unit/mesh/meshes.h"
+#include "unit/surface/cut_square.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,13 +9,7 @@
 namespace graben {
 namespace {
 
-/// A flat square of n x n cells of size 1, two triangles each, on no fault.
-CutMesh square(Index n) {
-  CutMesh cut;
-  cut.mesh = test::gridMesh(n);
-  cut.vertex_faults.assign(cut.mesh.vertices.size(), {-1, -1});
-  return cut;
-}
+using test::square;
 
 std::vector<Index> trianglesAt(const CutMesh& cut, Index vertex) {
   std::vector<Index> found;

@@ -2,7 +2,7 @@
 
 #include "graben/analysis/flipped_triangles.h"
 #include "graben/mesh/normals.h"
-#include "unit/mesh/meshes.h"
+#include "unit/surface/cut_square.h"
 
 #include <gtest/gtest.h>
 
@@ -11,12 +11,7 @@
 namespace graben {
 namespace {
 
-CutMesh square(Index n) {
-  CutMesh cut;
-  cut.mesh = test::gridMesh(n);
-  cut.vertex_faults.assign(cut.mesh.vertices.size(), {-1, -1});
-  return cut;
-}
+using test::square;
 
 /// With folds here and there.
 CutMesh crumpled(std::uint64_t seed) {

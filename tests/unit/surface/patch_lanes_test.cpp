@@ -1,4 +1,4 @@
-#include "patch_lanes.h"
+#include "surface_patches.h"
 #include "shapes.h"
 #include "way_to_surface.h"
 
@@ -21,20 +21,6 @@ LocalSurface bentSurface(test::Random& random, double bend) {
   return surface;
 }
 
-void put(const LocalSurface& surface, const Vector3& centre, std::size_t lane, PatchLanes& lanes) {
-  lanes.inverse_square[lane] = 1.0 / (kReach * kReach);
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    lanes.centre[axis][lane] = centre[axis];
-    lanes.origin[axis][lane] = surface.centre[axis];
-    lanes.u[axis][lane] = surface.u[axis] / surface.radius;
-    lanes.v[axis][lane] = surface.v[axis] / surface.radius;
-    lanes.normal[axis][lane] = surface.normal[axis];
-  }
-  for (std::size_t k = 0; k < surface.coefficients.size(); ++k)
-    lanes.coefficients[k][lane] = surface.coefficients[k];
-  lanes.bend[lane] = bendOf(surface.coefficients.data());
-}
-
 TEST(PatchLanes, FeetAreThoseOfTheSurfacesOneByOne) {
   test::Random random(5);
   int reached = 0, away = 0, missed = 0;
@@ -45,7 +31,7 @@ TEST(PatchLanes, FeetAreThoseOfTheSurfacesOneByOne) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       surfaces[lane] = bentSurface(random, round % 2 == 0 ? 1e-5 : 0.5);
       centres.push_back(Vector3(random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0), 0.0));
-      put(surfaces[lane], centres[lane], lane, lanes);
+      setLane(surfaces[lane], centres[lane], kReach, lane, lanes);
     }
     const Vector3 place(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
     const Vector3 direction = Vector3(random.normal(0.7), random.normal(0.7), 1.0).normalized();
@@ -77,7 +63,7 @@ TEST(PatchLanes, NoneReachesAPlaceFarAway) {
   test::Random random(6);
   PatchLanes lanes{};
   for (std::size_t lane = 0; lane < kLanes; ++lane)
-    put(bentSurface(random, 0.1), Vector3::Zero(), lane, lanes);
+    setLane(bentSurface(random, 0.1), Vector3::Zero(), kReach, lane, lanes);
   const Vector3 up = Vector3::UnitZ();
   PatchFeet feet{};
   EXPECT_FALSE(findFeet(lanes, Vector3(0.0, kReach, 0.1).eval().data(), up.data(), -1.0, feet));
