@@ -25,6 +25,17 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"pipeline", {"core", "mesh", "faults", "features", "filters", "surface", "analysis", "model"}},
 };
 
+/// Which folders of a module's src each of its folders may include, beside itself; modules that are not named have none.
+const std::map<std::string, std::map<std::string, std::set<std::string>>> kFoldersMayInclude = {
+    {"surface",
+     {{"local", {}},
+      {"field", {"local"}},
+      {"cells", {"local", "field"}},
+      {"cut", {"local", "field", "cells"}},
+      {"fit", {"local", "field", "cut"}},
+      {"classes", {"local", "field", "cells", "cut", "fit"}}}},
+};
+
 std::string moduleOf(const SourceFile& file) {
   const auto first = file.path.find('/') + 1;
   return file.path.substr(first, file.path.find('/', first) - first);
@@ -49,6 +60,30 @@ TEST(Includes, KeepTheDirectionBetweenModules) {
         continue;
       const std::string other = what.substr(7, what.find('/', 7) - 7);
       EXPECT_TRUE(other == module || kMayInclude.at(module).count(other)) << file.path << " includes " << what;
+    }
+  }
+}
+
+/// The folder below a module's src that a file lies in; empty for one right in src.
+std::string folderOf(const SourceFile& file) {
+  const std::string src = "modules/" + moduleOf(file) + "/src/";
+  const auto slash = file.path.find('/', src.size());
+  return file.under(src) && slash != std::string::npos ? file.path.substr(src.size(), slash - src.size()) : std::string();
+}
+
+TEST(Includes, KeepTheDirectionBetweenFoldersOfAModule) {
+  for (const SourceFile& file : sourceTree()) {
+    if (!file.under("modules/") || !file.isCpp() || folderOf(file).empty())
+      continue;
+    const std::string module = moduleOf(file), folder = folderOf(file);
+    ASSERT_TRUE(kFoldersMayInclude.count(module) && kFoldersMayInclude.at(module).count(folder))
+        << file.path << " lies in no known folder: add it to the list in this test";
+    const auto& may = kFoldersMayInclude.at(module).at(folder);
+    for (const std::string& line : file.lines) {
+      const std::string what = included(line);
+      const std::string other = what.substr(0, what.find('/'));
+      const bool of_another = other != what && other != folder && kFoldersMayInclude.at(module).count(other) > 0;
+      EXPECT_TRUE(!of_another || may.count(other)) << file.path << " includes " << what;
     }
   }
 }

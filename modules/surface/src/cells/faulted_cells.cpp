@@ -1,6 +1,6 @@
 #include "faulted_cells.h"
 
-#include "box_around.h"
+#include "local/box_around.h"
 
 #include "graben/core/threads.h"
 

@@ -1,6 +1,6 @@
 #include "patch_lanes.h"
 
-#include "way_to_surface.h"
+#include "local/way_to_surface.h"
 
 #include "graben/core/clones.h"
 

@@ -1,4 +1,4 @@
-#include "pick_blocks.h"
+#include "local/pick_blocks.h"
 
 #include "shapes.h"
 

@@ -1,6 +1,6 @@
 #include "graben/surface/signed_distance.h"
 
-#include "box_around.h"
+#include "local/box_around.h"
 #include "directions_around.h"
 #include "field_neighborhood.h"
 

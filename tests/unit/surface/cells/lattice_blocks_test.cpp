@@ -1,4 +1,4 @@
-#include "lattice_blocks.h"
+#include "cells/lattice_blocks.h"
 
 #include "shapes.h"
 

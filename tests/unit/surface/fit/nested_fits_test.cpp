@@ -1,4 +1,4 @@
-#include "nested_fits.h"
+#include "fit/nested_fits.h"
 
 #include "shapes.h"
 

@@ -3,10 +3,10 @@
 #include "graben/surface/local_fit.h"
 #include "graben/surface/viewpoints.h"
 
-#include "box_around.h"
+#include "local/box_around.h"
 #include "surface_patches.h"
-#include "tip_lines.h"
-#include "vertex_moves.h"
+#include "cut/tip_lines.h"
+#include "cut/vertex_moves.h"
 
 #include <Eigen/Geometry>
 

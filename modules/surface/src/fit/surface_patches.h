@@ -1,6 +1,6 @@
 #pragma once
 
-#include "local_faults.h"
+#include "local/local_faults.h"
 #include "patch_lanes.h"
 
 #include "graben/surface/local_fit.h"

@@ -1,4 +1,4 @@
-#include "plane_blend.h"
+#include "field/plane_blend.h"
 
 #include "graben/core/types.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lattice_blocks.h"
-#include "local_faults.h"
+#include "local/local_faults.h"
 
 #include "graben/surface/sheet_extraction.h"
 

@@ -1,8 +1,8 @@
 #include "graben/surface/zone_fit.h"
 
-#include "box_around.h"
-#include "local_faults.h"
-#include "vertex_moves.h"
+#include "local/box_around.h"
+#include "local/local_faults.h"
+#include "cut/vertex_moves.h"
 
 #include "graben/core/threads.h"
 #include "graben/mesh/normals.h"

@@ -1,6 +1,6 @@
 #include "normal_equations.h"
 
-#include "support_kernels.h"
+#include "local/support_kernels.h"
 
 #include "graben/core/clones.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lanes.h"
+#include "local/lanes.h"
 
 namespace graben::detail {
 

@@ -1,6 +1,6 @@
-#include "surface_patches.h"
+#include "fit/surface_patches.h"
 #include "shapes.h"
-#include "way_to_surface.h"
+#include "local/way_to_surface.h"
 
 #include "graben/surface/local_fit.h"
 

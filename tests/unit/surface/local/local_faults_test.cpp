@@ -1,6 +1,6 @@
-#include "local_faults.h"
+#include "local/local_faults.h"
 
-#include "box_around.h"
+#include "local/box_around.h"
 #include "graben/faults/fault_signature.h"
 #include "unit/faults/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "box_around.h"
+#include "local/box_around.h"
 #include "cut_state.h"
 
 #include "graben/core/sort_unique.h"

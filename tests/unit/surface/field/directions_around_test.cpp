@@ -1,4 +1,4 @@
-#include "directions_around.h"
+#include "field/directions_around.h"
 
 #include "shapes.h"
 

@@ -1,6 +1,6 @@
 #include "field_neighborhood.h"
 
-#include "box_around.h"
+#include "local/box_around.h"
 
 #include <algorithm>
 #include <cmath>

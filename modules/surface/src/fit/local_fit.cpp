@@ -1,12 +1,12 @@
 #include "graben/surface/local_fit.h"
 
-#include "box_around.h"
+#include "local/box_around.h"
 #include "fit_rules.h"
-#include "local_faults.h"
+#include "local/local_faults.h"
 #include "normal_equations.h"
-#include "pick_blocks.h"
-#include "support_kernels.h"
-#include "way_to_surface.h"
+#include "local/pick_blocks.h"
+#include "local/support_kernels.h"
+#include "local/way_to_surface.h"
 
 #include "graben/features/mean_distance.h"
 

@@ -1,7 +1,7 @@
 #include "surface_patches.h"
 
-#include "box_around.h"
-#include "way_to_surface.h"
+#include "local/box_around.h"
+#include "local/way_to_surface.h"
 
 #include "graben/core/threads.h"
 

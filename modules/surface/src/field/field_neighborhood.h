@@ -1,6 +1,6 @@
 #pragma once
 
-#include "local_faults.h"
+#include "local/local_faults.h"
 #include "nearest_batch.h"
 #include "plane_blend.h"
 
