@@ -4,6 +4,7 @@
 #include "support/run.h"
 
 #include "graben/core/errors.h"
+#include "graben/pipeline/requirements.h"
 #include "graben/pipeline/stage_clock.h"
 
 #include <cstdio>
@@ -22,7 +23,9 @@ OptionParser parser() {
     .flag("gocad-properties", "write piece, pick_distance and extrapolated into --output .ts too (PVRTX lines, which some readers refuse)")
     .value("report", "FILE.json", "the report alone")
     .flag("progress", "say what is being done each second; on a terminal that is done anyway")
-    .flag("quiet", "say nothing but errors");
+    .flag("quiet", "say nothing but errors")
+    .value("require", "FIGURES", "what the surface must reach, by the names of the report's figures: rms<5,seal<0.1,bridges=0,coverage>0.98; "
+                                 "exit code 1 if it does not");
   p.epilog("Example:\n  graben_reconstruct --horizon top.poi --fault F1.pol F2.pol --output top.ply --results results/\n");
   return p;
 }
@@ -73,10 +76,28 @@ ProgressDisplay::Mode progressMode(const OptionValues& values) {
   return values.has("quiet") ? ProgressDisplay::Mode::Off : ProgressDisplay::Mode::Terminal;
 }
 
+/// Wrong demands are refused before anything is done.
+std::vector<Requirement> readRequirements(const OptionValues& values) {
+  try {
+    return values.has("require") ? parseRequirements(values.text("require")) : std::vector<Requirement>();
+  } catch (const InvalidInputError& error) {
+    throw UsageError(std::string("option --require: ") + error.what());
+  }
+}
+
+/// Says what the surface does not reach. \return the exit code
+int judge(const std::vector<Requirement>& requirements, const ReconstructionReport& report) {
+  const std::vector<std::string> unmet = unmetRequirements(requirements, report);
+  for (const std::string& sentence : unmet)
+    std::fprintf(stderr, "graben_reconstruct: not good enough: %s\n", sentence.c_str());
+  return unmet.empty() ? 0 : 1;
+}
+
 int run(const OptionValues& values) {
   const bool quiet = values.has("quiet");
   if (!values.has("output") && !values.has("results"))
     throw UsageError("--output SURFACE is missing: where shall the horizon go?");
+  const std::vector<Requirement> requirements = readRequirements(values);
   checkOutputs(values);
   std::optional<ProgressDisplay> display(progressMode(values));
   const ProgressCallback progress = display->callback();
@@ -97,12 +118,13 @@ int run(const OptionValues& values) {
   display.reset();
   for (const std::string& warning : result.report.warnings)
     std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  const int code = judge(requirements, result.report);
   if (quiet)
-    return 0;
+    return code;
   for (const std::string& note : notes)
     std::fprintf(stderr, "note: %s\n", note.c_str());
   say(result);
-  return 0;
+  return code;
 }
 
 } // namespace

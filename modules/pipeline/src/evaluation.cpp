@@ -4,6 +4,7 @@
 #include "graben/core/threads.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace graben {
 
@@ -51,6 +52,18 @@ void toPieces(const TriangleMesh& mesh, const std::vector<double>& distance, dou
   });
 }
 
+/// The share of the picks not set aside that have the surface within reach.
+double coverage(const std::vector<double>& distance, const std::vector<PickReason>& reasons, double reach) {
+  std::size_t used = 0;
+  std::size_t covered = 0;
+  for (std::size_t p = 0; p < distance.size(); ++p) {
+    const bool takes_part = std::isfinite(distance[p]) && reasons[p] == PickReason::Good;
+    used += takes_part ? 1 : 0;
+    covered += takes_part && distance[p] <= reach ? 1 : 0;
+  }
+  return used > 0 ? static_cast<double>(covered) / static_cast<double>(used) : 0.0;
+}
+
 } // namespace
 
 void evaluate(const FinishedSurface& surface, unsigned threads, ReconstructionReport& report) {
@@ -63,12 +76,12 @@ void evaluate(const FinishedSurface& surface, unsigned threads, ReconstructionRe
     report.warnings.push_back("The mesh has topological faults; see topology in the report.");
 }
 
-std::vector<Index> evaluatePicks(const TriangleMesh& mesh, const Points& picks, const std::vector<Index>& zone, unsigned threads,
-                                 ReconstructionReport& report) {
+std::vector<Index> evaluatePicks(const TriangleMesh& mesh, const JudgingPicks& picks, unsigned threads, ReconstructionReport& report) {
   if (mesh.empty())
-    return std::vector<Index>(picks.size(), -1);
-  PickDistances found = pickDistances(mesh, picks, threads);
-  report.zone_after_fit = approximationError(found.distance, zone, threads);
+    return std::vector<Index>(picks.points.size(), -1);
+  PickDistances found = pickDistances(mesh, picks.points, threads);
+  report.coverage = coverage(found.distance, picks.reasons, report.used.rho + report.used.delta);
+  report.zone_after_fit = approximationError(found.distance, picks.zone, threads);
   toPieces(mesh, found.distance, report.used.fault_reach, threads, found.triangle);
   report.all_picks = approximationError(std::move(found.distance), threads);
   return std::move(found.triangle);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/faults/fault_network.h"
+#include "graben/filters/wrong_side_picks.h"
 #include "graben/mesh/components.h"
 #include "graben/mesh/connections.h"
 #include "graben/pipeline/reconstruction_report.h"
@@ -25,10 +26,15 @@ struct FinishedSurface {
 /// Fills in the figures of the surface itself and of its faults.
 void evaluate(const FinishedSurface& surface, unsigned threads, ReconstructionReport& report);
 
+/// All picks, those set aside too.
+struct JudgingPicks {
+  const Points& points;
+  const std::vector<Index>& zone; ///< those near the faults
+  const std::vector<PickReason>& reasons;
+};
+
 /// Fills in the picks' distances to the finished mesh.
-/// \param[in] zone the picks near the faults
 /// \return the piece nearest to each pick, -1 where none is within the report's fault reach
-std::vector<Index> evaluatePicks(const TriangleMesh& mesh, const Points& picks, const std::vector<Index>& zone, unsigned threads,
-                                 ReconstructionReport& report);
+std::vector<Index> evaluatePicks(const TriangleMesh& mesh, const JudgingPicks& picks, unsigned threads, ReconstructionReport& report);
 
 } // namespace graben

@@ -240,7 +240,7 @@ void ReconstructionJob::finish() {
     normals_ = std::move(planes_.normals);
   planes_ = TangentPlanes();
   measureSurface();
-  const std::vector<Index> pieces = evaluatePicks(cut_.mesh, picks_.points, zone_, options_.threads, result_.report);
+  const std::vector<Index> pieces = evaluatePicks(cut_.mesh, {picks_.points, zone_, reasons_}, options_.threads, result_.report);
   if (options_.keep_picks)
     handOutPicks(pieces);
   picks_ = OrderedPicks();

@@ -1,8 +1,8 @@
 #include "graben/pipeline/reconstruction_report.h"
 
-#include "graben/analysis/report_json.h"
+#include "report_tree.h"
 
-#include <nlohmann/json.hpp>
+#include "graben/analysis/report_json.h"
 
 namespace graben {
 
@@ -58,10 +58,35 @@ Json json(const FaultReport& f, const FaultSeal* seal) {
   return j;
 }
 
+/// What a surface is judged by at one look; the names are those of --require.
+Json figures(const ReconstructionReport& r) {
+  const TopologyReport& t = r.topology;
+  const std::size_t aside = r.wrong_side_picks + r.smeared_picks;
+  const auto measured = [](const DistanceStatistics& d, double value) { return d.count > 0 ? Json(value) : Json(); };
+  return {{"rms", measured(r.all_picks, r.all_picks.rms)},
+          {"p95", measured(r.all_picks, r.all_picks.p95)},
+          {"max", measured(r.all_picks, r.all_picks.max)},
+          {"zone_rms", measured(r.zone_after_fit, r.zone_after_fit.rms)},
+          {"coverage", r.coverage},
+          {"extrapolated", r.extrapolation.area_share},
+          {"set_aside", r.picks > 0 ? static_cast<double>(aside) / static_cast<double>(r.picks) : 0.0},
+          {"seal", r.seal.all.vertices > 0 ? 1.0 - r.seal.all.share : 0.0},
+          {"bridges", r.bridging_triangles},
+          {"pieces", t.components},
+          {"topology_errors", t.errors()},
+          {"thin_triangles", r.quality.share_below_10_degrees},
+          {"warnings", r.warnings.size()}};
+}
+
 } // namespace
 
-std::string toJson(const ReconstructionReport& r, bool with_timings) {
+std::string toJson(const ReconstructionReport& report, bool with_timings) { return reportTree(report, with_timings).dump(2) + "\n"; }
+
+Json reportTree(const ReconstructionReport& r, bool with_timings) {
   Json j;
+  j["schema"] = "graben report";
+  j["schema_version"] = kReportSchemaVersion;
+  j["figures"] = figures(r);
   j["picks"] = {{"count", r.picks}, {"not_finite", r.picks_not_finite}, {"wrong_side", r.wrong_side_picks}, {"smeared", r.smeared_picks}};
   j["dip_measurements"] = {{"count", r.measurements}, {"not_usable", r.measurements_not_usable}, {"set_aside", r.measurements_set_aside}};
   j["sampling"] = json(r.sampling);
@@ -88,7 +113,7 @@ std::string toJson(const ReconstructionReport& r, bool with_timings) {
     for (const StageTiming& s : r.stages)
       j["stages"].push_back({{"stage", s.stage}, {"seconds", s.seconds}, {"resident_bytes", s.resident_bytes}, {"peak_bytes", s.peak_bytes}});
   }
-  return j.dump(2) + "\n";
+  return j;
 }
 
 } // namespace graben

@@ -118,6 +118,30 @@ TEST_F(ReconstructResults, ReportIsJsonWithTheSameFiguresAsTheFolder) {
   EXPECT_GT(report["stages"].size(), 5U);
 }
 
+/// Every key of a report, at any depth.
+void listKeys(const nlohmann::json& tree, std::set<std::string>& keys) {
+  if (!tree.is_structured())
+    return;
+  for (const auto& [key, value] : tree.items()) {
+    if (tree.is_object())
+      keys.insert(key);
+    listKeys(value, keys);
+  }
+}
+
+TEST_F(ReconstructResults, TheReportsKeysAreExplained) {
+  synthesize("s", "--kind branch --picks 1500");
+  ASSERT_EQ(reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts s/fault_2.ts --output top.ply --report report.json").code, 0);
+  std::ifstream file(GRABEN_SOURCE_DIR "/config/documentation/report.md");
+  const std::string explained((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const auto report = nlohmann::json::parse(content("report.json"));
+  std::set<std::string> keys;
+  listKeys(report, keys);
+  for (const std::string& key : keys)
+    EXPECT_THAT(explained, HasSubstr("`" + key + "`"));
+  EXPECT_THAT(explained, HasSubstr("`schema_version` is " + std::to_string(report["schema_version"].get<int>())));
+}
+
 TEST_F(ReconstructResults, ProgressIsToldEachSecondButNotUnasked) {
   synthesize("s", "--kind normal --picks 60000");
   const std::string arguments = "--horizon s/horizon.xyz --fault s/fault_1.ts --output top.ply --threads 1 ";

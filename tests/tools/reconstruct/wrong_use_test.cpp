@@ -148,6 +148,19 @@ TEST_F(ReconstructWrongUse, DuplicatePicksGiveASoundSurface) {
   EXPECT_EQ(run("evaluate", "top.ply --picks twice.xyz --check --quiet").code, 0);
 }
 
+TEST_F(ReconstructWrongUse, WhatTheSurfaceMustReachDecidesTheExitCode) {
+  const std::string job = "reconstruct";
+  EXPECT_EQ(run(job, "--horizon picks.xyz --output a.ply --quiet --require 'rms<1e6,topology_errors=0'").code, 0);
+  const test::Outcome failed = run(job, "--horizon picks.xyz --output b.ply --quiet --require 'rms<1e6,pieces>7'");
+  EXPECT_EQ(failed.code, 1);
+  EXPECT_EQ(failed.errors, "graben_reconstruct: not good enough: pieces is 1, not above 7\n");
+  EXPECT_EQ(content("a.ply"), content("b.ply"));
+  const test::Outcome refused = run(job, "--horizon picks.xyz --output c.ply --require 'rmse<5'");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("the report has no figure 'rmse'; it has rms, p95"));
+  EXPECT_EQ(names().count("c.ply"), 0U);
+}
+
 TEST_F(ReconstructWrongUse, HelpAndVersionNeedNothing) {
   EXPECT_THAT(run("reconstruct", "--help").output, HasSubstr("--horizon PICKS"));
   EXPECT_EQ(run("reconstruct", "--version").code, 0);

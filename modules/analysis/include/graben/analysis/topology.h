@@ -30,12 +30,12 @@ struct TopologyReport {
   std::size_t border_edges = 0;
   std::size_t border_loops = 0;
 
-  /// True if all counts of faults are zero; crumbs and borders are no faults.
-  bool ok() const {
-    return unreferenced_vertices + non_manifold_edges + inconsistent_edges + non_manifold_vertices +
-               duplicate_triangles + degenerate_triangles ==
-           0;
+  /// How much is wrong: the sum of all counts of faults; crumbs and borders are no faults.
+  std::size_t errors() const {
+    return unreferenced_vertices + non_manifold_edges + inconsistent_edges + non_manifold_vertices + duplicate_triangles + degenerate_triangles;
   }
+
+  bool ok() const { return errors() == 0; }
 };
 
 /// O(n log n). An empty mesh has nothing wrong with it.

@@ -54,6 +54,9 @@ struct Extrapolation {
   double farthest = 0.0;      ///< largest distance of a vertex to the nearest pick of its own side
 };
 
+/// Of the report as JSON: rises when a key goes or changes its meaning.
+constexpr int kReportSchemaVersion = 1;
+
 /// What a reconstruction says of itself.
 struct ReconstructionReport {
   std::size_t picks = 0;
@@ -74,6 +77,7 @@ struct ReconstructionReport {
   DistanceStatistics zone_before_fit;    ///< E(M, X) over the picks in the zone
   DistanceStatistics zone_after_fit;
   DistanceStatistics all_picks;          ///< over all picks, after the fit
+  double coverage = 0.0;                 ///< share of the picks not set aside that have the surface within rho + delta
   TopologyReport topology;
   TriangleQuality quality;
   SealReport seal;
@@ -83,7 +87,7 @@ struct ReconstructionReport {
   std::vector<std::string> warnings;     ///< sentences for the user
 };
 
-/// The report as JSON, with a fixed order of keys. Timings and memory are left out if \a with_timings is false, so that two runs compare equal.
+/// The report as JSON, with a fixed order of keys, which config/documentation/report.md explains. Timings and memory are left out if \a with_timings is false, so that two runs compare equal.
 std::string toJson(const ReconstructionReport& report, bool with_timings = true);
 
 } // namespace graben
