@@ -16,6 +16,19 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+void addSamplingOptions(OptionParser& parser) {
+  parser.section("How picks lie")
+      .value("sampling", "NAME", joined(syntheticSamplingNames()), "scattered")
+      .value("line-distance", "A[,B]", "between lines; with B also lines across them; rows and columns of a grid (250)")
+      .value("along-line", "D", "from pick to pick along a line or contour (12.5)")
+      .value("azimuth", "DEG", "of the lines, clockwise from north (0)")
+      .value("contour-interval", "D", "(25)")
+      .value("shadow", "F[,H]", "no picks closer on the map to where footwall, hanging wall meet a fault (0)")
+      .value("bridge", "W", "picks in the heave and this close to it lie on a gridder's ramp across the fault (0)")
+      .value("mistie", "SD", "standard deviation of the constant by which a line is off (0)")
+      .value("unpicked", "SHARE,LENGTH", "share of the lines left out, in stretches of this length");
+}
+
 OptionParser makeParser() {
   OptionParser parser(
       "graben_synthesize",
@@ -32,12 +45,14 @@ OptionParser makeParser() {
       .value("kind", "NAME", joined(syntheticKindNames()), "normal")
       .value("size", "S", "edge of the square area (6000; benchmark 10000)")
       .value("relief", "R", "largest height of the unfaulted horizon (150)")
+      .value("tilt", "DEG[,AZ]", "dip of the horizon as a whole, 0 to 50, and where to, clockwise from north (0,0)")
       .value("origin", "X,Y,Z", "coordinates of the area's centre, for example UTM", "0,0,0")
       .value("z-positive", "WAY", "up (elevation) or down (depth, time)", "up")
       .value("z-scale", "V", "x, y units per unit of the written z, for time in ms", "1")
       .value("z-unit", "NAME", "label of z", "m");
+  addSamplingOptions(parser);
   parser.section("Picks")
-      .value("picks", "N", "number of picks (60000)")
+      .value("picks", "N", "number of scattered picks (60000)")
       .value("noise", "SIGMA", "standard deviation of the vertical Gaussian noise (2)")
       .value("uneven", "U", "0: uniform density, 1: it varies tenfold (0; benchmark 0.5)")
       .list("hole", "X,Y,R", "disc without picks")
@@ -61,7 +76,8 @@ OptionParser makeParser() {
       .value("branch-gap", "D",
              "how far the fault of kind branch stops short of the one it ends at (0)")
       .value("stick-spacing", "D", "between sticks along strike (250)")
-      .value("stick-points", "N", "points of a stick (5)");
+      .value("stick-points", "N", "points of a stick (5)")
+      .value("stick-jitter", "SD", "standard deviation of their horizontal error across the fault (0)");
   parser.section("Running").value(
       "threads", "N", "0: one per processor; the files are the same for every number", "0");
   parser.epilog("Example: graben_synthesize --output sample --kind tip --origin "
@@ -76,6 +92,42 @@ void readFrame(const OptionValues& values, SyntheticOptions& o) {
       values.choice("z-positive", {"up", "down"}) == 1 ? ZPositive::Down : ZPositive::Up;
   o.frame.z_scale = values.number("z-scale", 1e-9, 1e9);
   o.z_unit = values.text("z-unit");
+}
+
+/// One number or two; a single one holds for both. \return false if the option is not given
+bool readPair(const OptionValues& values, const std::string& name, double& first, double& second) {
+  if (!values.has(name))
+    return false;
+  const std::vector<double> given = values.numbers(name);
+  if (given.size() > 2)
+    throw UsageError("option --" + name + ": give one number or two");
+  first = given.front();
+  second = given.back();
+  return given.size() == 2;
+}
+
+void readSampling(const OptionValues& values, SyntheticOptions& o) {
+  SyntheticSampling& s = o.sampling;
+  s.kind = static_cast<SyntheticSamplingKind>(values.choice("sampling", syntheticSamplingNames()));
+  if (s.kind != SyntheticSamplingKind::Scattered)
+    o.patches.clear();
+  if (!readPair(values, "line-distance", s.line_distance, s.cross_distance))
+    s.cross_distance = 0.0;
+  readPair(values, "shadow", s.shadow[0], s.shadow[1]);
+  const auto number = [&values](const std::string& name, double& into) {
+    if (values.has(name))
+      into = values.number(name);
+  };
+  number("along-line", s.along);
+  number("azimuth", s.azimuth);
+  number("contour-interval", s.contour_interval);
+  number("bridge", s.bridge);
+  number("mistie", s.mistie);
+  if (values.has("unpicked")) {
+    const std::vector<double> given = values.numbers("unpicked", 2);
+    s.unpicked_share = given[0];
+    s.unpicked_length = given[1];
+  }
 }
 
 void readPlaces(const OptionValues& values, SyntheticOptions& o) {
@@ -113,19 +165,17 @@ SyntheticOptions readOptions(const OptionValues& values) {
   number("fault-shift", o.fault_shift);
   number("branch-gap", o.branch_gap);
   number("stick-spacing", o.stick_spacing);
-  if (values.has("overhang")) {
-    const std::vector<double> overhang = values.numbers("overhang");
-    if (overhang.size() > 2)
-      throw UsageError("option --overhang: give one number or two");
-    o.overhang_above = overhang.front();
-    o.overhang_below = overhang.back();
-  }
+  number("stick-jitter", o.stick_jitter);
+  readPair(values, "overhang", o.overhang_above, o.overhang_below);
+  if (values.has("tilt") && !readPair(values, "tilt", o.tilt, o.tilt_azimuth))
+    o.tilt_azimuth = 0.0;
   if (values.has("picks"))
     o.picks = static_cast<std::size_t>(values.integer("picks", 1, 2000000000));
   if (values.has("stick-points"))
     o.points_per_stick = static_cast<std::size_t>(values.integer("stick-points", 2, 10000));
   o.seed = static_cast<std::uint64_t>(values.integer("seed", 0));
   readFrame(values, o);
+  readSampling(values, o);
   readPlaces(values, o);
   return o;
 }
@@ -141,10 +191,10 @@ int synthesize(const OptionValues& values) {
   write.threads = static_cast<unsigned>(values.integer("threads", 0, 1024));
   const SyntheticOptions options = readOptions(values);
   const SyntheticModel model(options);
-  const std::vector<std::string> files = writeSyntheticFolder(model, values.text("output"), write);
+  const SyntheticFolder folder = writeSyntheticFolder(model, values.text("output"), write);
   if (!values.has("quiet"))
-    std::cout << "Wrote " << options.picks << " picks of " << model.blockCount() << " block(s), "
-              << model.faultCount() << " fault(s) and " << files.size() << " files to "
+    std::cout << "Wrote " << folder.picks << " picks of " << model.blockCount() << " block(s), "
+              << model.faultCount() << " fault(s) and " << folder.files.size() << " files to "
               << values.text("output") << "; README.txt there says what is what.\n";
   return 0;
 }

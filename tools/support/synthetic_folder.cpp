@@ -59,7 +59,7 @@ public:
       , folder_(folder)
       , options_(options) {}
 
-  std::vector<std::string> write() {
+  SyntheticFolder write() {
     prepareFolder();
     writePicks();
     writeFaults();
@@ -67,7 +67,7 @@ public:
       writeTruth();
     writeReadme();
     writeJson();
-    return files_;
+    return {picks_, files_};
   }
 
 private:
@@ -96,6 +96,7 @@ private:
 
   void writePicks() {
     SyntheticPicks picks = model_.picks(options_.threads);
+    picks_ = picks.points.size();
     const std::string path = add("horizon." + options_.format);
     if (options_.format == "pcd")
       writeBinaryPicks(path, pcdHeader(picks.points.size()), picks);
@@ -162,7 +163,7 @@ private:
     std::string text =
         "A synthetic faulted horizon with its exact truth, made by graben_synthesize.\n"
         "Kind " +
-        kind() + ", " + std::to_string(o_.picks) + " picks, spacing about " +
+        kind() + ", " + std::to_string(picks_) + " picks, " + sampling() + ", spacing about " +
         shown(std::round(10.0 * o_.spacing()) / 10.0) + ", noise sigma " + shown(o_.noise) +
         " (vertical, x, y units), seed " + std::to_string(o_.seed) + ".\n\n" + "horizon." +
         options_.format + "  the picks\n";
@@ -185,18 +186,34 @@ private:
 
   std::string kind() const { return syntheticKindNames()[static_cast<std::size_t>(o_.kind)]; }
 
+  std::string sampling() const { return syntheticSamplingNames()[static_cast<std::size_t>(o_.sampling.kind)]; }
+
   void writeJson() {
     const Vector3& origin = o_.frame.origin;
     std::string text = "{\n  \"kind\": \"" + kind() + "\",\n";
     const auto number = [&text](const std::string& name, double value) {
       text += "  \"" + name + "\": " + shown(value) + ",\n";
     };
-    text += "  \"picks\": " + std::to_string(o_.picks) +
+    text += "  \"sampling\": \"" + sampling() + "\",\n  \"picks\": " + std::to_string(picks_) +
             ",\n  \"seed\": " + std::to_string(o_.seed) + ",\n";
     number("spacing", o_.spacing());
     number("size", o_.size);
     number("relief", o_.relief);
+    number("tilt", o_.tilt);
+    number("tilt_azimuth", o_.tilt_azimuth);
     number("noise", o_.noise);
+    const SyntheticSampling& sampling = o_.sampling;
+    number("line_distance", sampling.line_distance);
+    number("cross_distance", sampling.cross_distance);
+    number("along_line", sampling.along);
+    number("azimuth", sampling.azimuth);
+    number("contour_interval", sampling.contour_interval);
+    number("shadow_footwall", sampling.shadow[0]);
+    number("shadow_hanging_wall", sampling.shadow[1]);
+    number("bridge", sampling.bridge);
+    number("mistie", sampling.mistie);
+    number("unpicked_share", sampling.unpicked_share);
+    number("unpicked_length", sampling.unpicked_length);
     number("throw", o_.max_throw);
     number("throw_variation", o_.throw_variation);
     number("dip", o_.dip);
@@ -213,6 +230,7 @@ private:
     number("fault_shift", o_.fault_shift);
     number("branch_gap", o_.branch_gap);
     number("stick_spacing", o_.stick_spacing);
+    number("stick_jitter", o_.stick_jitter);
     text += "  \"stick_points\": " + std::to_string(o_.points_per_stick) + ",\n  \"holes\": [";
     for (std::size_t i = 0; i < o_.holes.size(); ++i)
       text += (i > 0 ? ", [" : "[") + disc(o_.holes[i]) + "]";
@@ -246,14 +264,13 @@ private:
   const SyntheticOptions& o_;
   fs::path folder_;
   const SyntheticFolderOptions& options_;
+  std::size_t picks_ = 0;
   std::vector<std::string> files_;
 };
 
 } // namespace
 
-std::vector<std::string> writeSyntheticFolder(const SyntheticModel& model,
-                                              const std::string& folder,
-                                              const SyntheticFolderOptions& options) {
+SyntheticFolder writeSyntheticFolder(const SyntheticModel& model, const std::string& folder, const SyntheticFolderOptions& options) {
   return FolderWriter(model, folder, options).write();
 }
 

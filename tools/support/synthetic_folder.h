@@ -18,12 +18,15 @@ struct SyntheticFolderOptions {
   unsigned threads = 0;
 };
 
+/// What was written.
+struct SyntheticFolder {
+  std::size_t picks = 0;
+  std::vector<std::string> files; ///< without folder
+};
+
 /// Writes picks, faults, truth, a README.txt that says what is what with the command to reconstruct
 /// it, and synthetic.json with all options and files. The folder is made if it is not there;
-/// numbered files of a former run in it are removed. \return the files written, without folder
-/// \throw InvalidInputError, IoError
-std::vector<std::string> writeSyntheticFolder(const SyntheticModel& model,
-                                              const std::string& folder,
-                                              const SyntheticFolderOptions& options);
+/// numbered files of a former run in it are removed. \throw InvalidInputError, IoError
+SyntheticFolder writeSyntheticFolder(const SyntheticModel& model, const std::string& folder, const SyntheticFolderOptions& options);
 
 } // namespace graben

@@ -1,4 +1,5 @@
 #include "model_impl.h"
+#include "random.h"
 #include "roots.h"
 
 #include "graben/core/errors.h"
@@ -76,6 +77,8 @@ Points FaultPatch::column(double t, std::size_t count) const {
 
 namespace {
 
+constexpr std::uint64_t kJitter = 0x6a6974746572u; // tells the sticks' random numbers from the picks'
+
 /// Number of points so that their distance is at most step.
 std::size_t pointsOver(double length, double step) {
   return static_cast<std::size_t>(std::ceil(length / step * (1.0 - 1e-12))) + 1;
@@ -93,8 +96,12 @@ std::vector<FaultStick> SyntheticModel::faultSticks(std::size_t i) const {
   for (std::size_t k = 0; k < count; ++k) {
     FaultStick stick;
     const double t = static_cast<double>(k) / static_cast<double>(count - 1);
-    for (const Vector3& p : patch.column(t, impl_->options.points_per_stick))
+    synthetic::RandomStream random(impl_->options.seed ^ kJitter, (i << 32) + k);
+    for (Vector3& p : patch.column(t, impl_->options.points_per_stick)) {
+      if (impl_->options.stick_jitter > 0.0)
+        p.head<2>() += impl_->options.stick_jitter * random.gaussian() * impl_->structure.faults[i].across;
       stick.points.push_back(impl_->toUser(p));
+    }
     sticks.push_back(std::move(stick));
   }
   return sticks;

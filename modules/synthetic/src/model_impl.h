@@ -11,6 +11,15 @@ struct SyntheticModel::Impl {
 
   double resolution(double asked) const;
   Vector3 toUser(const Vector3& local) const { return options.frame.toUser(local); }
+  SyntheticPick toUser(SyntheticPick pick) const {
+    pick.position = toUser(pick.position);
+    pick.truth = toUser(pick.truth);
+    return pick;
+  }
+
+  /// All picks of a sampling that is not scattered, in the model's frame.
+  std::vector<SyntheticPick> picksAtPlaces(unsigned threads) const;
+
   synthetic::Vector2 toLocalXY(double x, double y) const {
     return {x - options.frame.origin.x(), y - options.frame.origin.y()};
   }

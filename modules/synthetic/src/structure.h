@@ -22,6 +22,7 @@ struct Sheet {
 struct Structure {
   double size = 0.0;
   double relief = 0.0;
+  Vector2 tilt = Vector2::Zero(); ///< gradient of the plane under the relief
   std::vector<SyntheticFault> faults;
   std::vector<Sheet> sheets;
   Index blocks = 1;

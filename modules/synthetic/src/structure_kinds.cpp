@@ -21,6 +21,9 @@ public:
       , size_(options.size) {
     structure_.size = options.size;
     structure_.relief = options.relief;
+    constexpr double kDegree = 3.141592653589793 / 180.0;
+    const double azimuth = options.tilt_azimuth * kDegree;
+    structure_.tilt = -std::tan(options.tilt * kDegree) * Vector2(std::sin(azimuth), std::cos(azimuth));
   }
 
   Structure build();

@@ -33,7 +33,8 @@ double SyntheticModel::Impl::resolution(double asked) const {
     throw InvalidInputError(
         "synthetic truth",
         "the resolution must be at least 1e-5 of the size, or 0 for the default");
-  return asked > 0.0 ? asked : std::max(options.spacing(), options.size / 500.0);
+  const double finest = options.sampling.kind == SyntheticSamplingKind::Scattered ? 500.0 : 250.0;
+  return asked > 0.0 ? asked : std::max(options.spacing(), options.size / finest);
 }
 
 const Sheet& SyntheticModel::Impl::sheetAt(Index block, const Vector2& xy) const {

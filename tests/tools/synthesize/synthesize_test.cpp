@@ -31,6 +31,9 @@ TEST_F(Synthesize, WrongUseExitsWithTwoAndWritesNothing) {
       {"--output d --origin 1,2", "--origin"},
       {"--output d --hole 1,2", "--hole"},
       {"--output d --overhang 1,2,3", "--overhang"},
+      {"--output d --sampling random", "option --sampling: 'random' is not one of scattered, grid, lines, contours"},
+      {"--output d --line-distance 1,2,3", "--line-distance"},
+      {"--output d --unpicked 0.2", "--unpicked"},
       {"--output", "--output needs a value"},
       {"stray", "'stray'"},
   };
@@ -133,6 +136,19 @@ TEST_F(Synthesize, EveryFormatHoldsTheSamePicks) {
     EXPECT_FALSE(fs::exists(path("d/truth.ply")));
   }
   EXPECT_FALSE(fs::exists(path("d/horizon.xyz"))); // of the run before
+}
+
+TEST_F(Synthesize, PicksAlongLinesAreAsManyAsItSays) {
+  const Outcome outcome =
+      run("--output d --kind tip --sampling lines --line-distance 500,1000 --along-line 50 --azimuth 90 --shadow 100,200 --mistie 3 "
+          "--unpicked 0.2,600 --no-truth");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const std::size_t count = readPicks(path("d/horizon.xyz")).points.size();
+  EXPECT_GT(count, 1500u);
+  EXPECT_LT(count, 2100u); // of 2420, and what the fault's heave and shadow take
+  EXPECT_THAT(outcome.output, HasSubstr("Wrote " + std::to_string(count) + " picks"));
+  EXPECT_THAT(content("d/README.txt"), HasSubstr(std::to_string(count) + " picks, lines, spacing about 50"));
+  EXPECT_THAT(content("d/synthetic.json"), HasSubstr("\"cross_distance\": 1000,"));
 }
 
 TEST_F(Synthesize, ASecondRunLeavesNoFaultsOfTheFirstAndNothingElseIsTouched) {

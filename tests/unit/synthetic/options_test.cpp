@@ -40,6 +40,26 @@ TEST(SyntheticOptions, BadValuesAreRejected) {
       [](SyntheticOptions& o) { o.points_per_stick = 1; },
       [](SyntheticOptions& o) { o.overhang_above = -400.0; },
       [](SyntheticOptions& o) { o.strike_overhang = -5000.0; },
+      [](SyntheticOptions& o) { o.stick_jitter = -1.0; },
+      [](SyntheticOptions& o) { o.tilt = 60.0; },
+      [](SyntheticOptions& o) { o.dip = o.tilt = 40.0; },
+      [](SyntheticOptions& o) { o.sampling.line_distance = 0.0; },
+      [nan](SyntheticOptions& o) { o.sampling.line_distance = nan; },
+      [](SyntheticOptions& o) { o.sampling.cross_distance = -100.0; },
+      [](SyntheticOptions& o) { o.sampling.along = 0.0; },
+      [nan](SyntheticOptions& o) { o.sampling.azimuth = nan; },
+      [](SyntheticOptions& o) { o.sampling.contour_interval = 0.0; },
+      [](SyntheticOptions& o) { o.sampling.shadow = {0.0, -1.0}; },
+      [](SyntheticOptions& o) { o.sampling.bridge = o.sampling.shadow[0] = 50.0; },
+      [](SyntheticOptions& o) { o.sampling.mistie = 2.0; },
+      [](SyntheticOptions& o) {
+        o.sampling.kind = SyntheticSamplingKind::Lines;
+        o.sampling.unpicked_share = 0.2;
+      },
+      [](SyntheticOptions& o) {
+        o.sampling.kind = SyntheticSamplingKind::Grid;
+        o.patches = {{{0.0, 0.0, 500.0}, 2.0}};
+      },
       [nan](SyntheticOptions& o) { o.frame.origin.x() = nan; },
       [](SyntheticOptions& o) { o.frame.z_scale = 0.0; },
   };

@@ -14,12 +14,14 @@ struct SyntheticPick {
   Vector3 truth = Vector3::Zero();    ///< the point of the true horizon it was taken from
   Index sheet = 0;                    ///< sheet of that point
   Index block = 0;                    ///< block of that point
+  Index line = -1;                    ///< the line, grid row or contour it lies on; -1: scattered
 };
 
 /// All picks; entry i of each array is pick i.
 struct SyntheticPicks {
   Points points;
   std::vector<Index> block;
+  std::vector<Index> line; ///< of the lines, grid rows or contours; empty where picks are scattered
 };
 
 /// One true cutoff line: where a sheet meets a fault, in order along strike.
@@ -52,10 +54,11 @@ public:
   Index blockOfSheet(Index sheet) const;
 
   /// Pick \a i of the endless sequence of the seed.
-  /// \throw InvalidInputError if holes and gaps leave no room for picks
+  /// \throw InvalidInputError if holes, gaps and shadows leave no room for picks, or the sampling is not scattered
   SyntheticPick pick(std::uint64_t i) const;
 
-  /// The first options().picks picks, in parallel; O(n). \param[in] threads 0: one per processor
+  /// The picks of the sampling, of scattered ones the first options().picks, in parallel; O(n). A pick's noise depends on the seed and the number
+  /// of its place alone. \param[in] threads 0: one per processor \throw InvalidInputError if there is no room for picks
   SyntheticPicks picks(unsigned threads = 0) const;
 
   /// Fault \a i as given to an interpreter (with overhang, shift and branch gap): a grid of

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/core/local_frame.h"
+#include "graben/synthetic/synthetic_sampling.h"
 
 #include <cstdint>
 #include <string>
@@ -47,8 +48,12 @@ struct SyntheticOptions {
   double relief =
       150.0; ///< largest height of the unfaulted horizon (a sum of three sines); not negative
 
+  double tilt = 0.0;         ///< dip of the unfaulted horizon as a whole, degrees, 0 to 50
+  double tilt_azimuth = 0.0; ///< where it dips to, degrees clockwise from north
+
   // Picks
-  std::size_t picks = 60000; ///< exact number of picks
+  SyntheticSampling sampling; ///< how they lie
+  std::size_t picks = 60000;  ///< exact number of scattered picks
   double noise = 2.0;  ///< standard deviation of the Gaussian noise added to z (vertically, not
                        ///< along the normal)
   double uneven = 0.0; ///< 0: uniform density in x, y; 1: it varies smoothly by a factor of ten
@@ -81,6 +86,7 @@ struct SyntheticOptions {
   double branch_gap =
       0.0; ///< how far the given fault of kind Branch stops short of the one it ends at
   double stick_spacing = 250.0;     ///< between sticks along strike
+  double stick_jitter = 0.0; ///< standard deviation of the horizontal error of a stick's nodes across the fault
   std::size_t points_per_stick = 5; ///< at least 2
 
   /// From the model to what is delivered: origin (the centre of the area at z = 0), direction and
@@ -91,7 +97,8 @@ struct SyntheticOptions {
   /// The defaults of a kind.
   static SyntheticOptions of(SyntheticKind kind);
 
-  /// Mean distance between picks: the square root of the area over the number of picks.
+  /// Mean distance between picks: the square root of the area over the number of scattered picks or over a grid's nodes; along lines and contours
+  /// the distance along them.
   double spacing() const;
 };
 
