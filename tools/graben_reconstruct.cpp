@@ -107,7 +107,9 @@ int run(const OptionValues& values) {
   HorizonInput input = readHorizonInput(values, progress);
   clock.stop();
   std::vector<std::string> notes = std::move(input.notes);
+  const std::vector<std::string> warnings = std::move(input.warnings);
   ReconstructionResult result = reconstruct(values, std::move(input), progress);
+  result.report.warnings.insert(result.report.warnings.begin(), warnings.begin(), warnings.end());
   std::vector<StageTiming>& all = result.report.stages;
   all.insert(all.begin(), stages.begin(), stages.end());
   StageClock writing(all, progress);

@@ -5,7 +5,9 @@
 #include "graben/io/fault_reader.h"
 #include "graben/io/pick_reader.h"
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace graben {
 
@@ -26,10 +28,37 @@ std::string stepNames() {
 
 void declareHorizonOptions(OptionParser& parser) {
   parser.section("Input")
-    .value("horizon", "PICKS", "picks of the horizon: .xyz .txt .csv .poi .pcd .ply .vs")
+    .value("horizon", "PICKS", "picks of the horizon: .xyz .txt .csv .poi .pcd .ply .vs and others; FILE:NAME for one of several horizons in a file")
     .list("fault", "FILE", "faults that cut it: surfaces .ts .ply .obj .stl .vtp .vtk or sticks .pol .pl");
+  declareTableOptions(parser);
   parser.list("dips", "FILE", "measured dips of the horizon: tables with columns x y z dip azimuth, or x y z strike dip");
   declareParameterOptions(parser);
+}
+
+void declareTableOptions(OptionParser& parser) {
+  parser.value("columns", "X,Y,Z", "which columns of a text table of picks hold x, y and z, by name or by number from 1")
+    .list("null", "VALUE", "a z that stands for 'no data' in the picks, beside those that are recognised; none: none is recognised");
+}
+
+ReadOptions readOptions(const OptionValues& values, const ProgressCallback& progress) {
+  ReadOptions read;
+  read.progress = progress;
+  if (values.has("columns")) {
+    std::string column;
+    std::istringstream list(values.text("columns"));
+    while (std::getline(list, column, ','))
+      read.columns.push_back(column);
+    if (read.columns.size() != 3)
+      throw UsageError("option --columns: '" + values.text("columns") + "' does not name three columns, X,Y,Z");
+  }
+  const std::vector<std::string>& nulls = values.texts("null");
+  read.recognise_nulls = std::find(nulls.begin(), nulls.end(), "none") == nulls.end();
+  if (read.recognise_nulls)
+    for (const std::vector<double>& null : values.numberLists("null", 1))
+      read.nulls.push_back(null.front());
+  else if (nulls.size() > 1)
+    throw UsageError("option --null: 'none' stands alone");
+  return read;
 }
 
 void declareParameterOptions(OptionParser& parser) {
@@ -56,11 +85,15 @@ HorizonInput readHorizonInput(const OptionValues& values, const ProgressCallback
   if (!values.has("horizon"))
     throw UsageError("--horizon PICKS is missing: which file holds the picks?");
   HorizonInput input;
-  ReadOptions read;
+  ReadOptions read = readOptions(values, progress);
   read.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
-  read.progress = progress;
-  input.picks = readPicks(values.text("horizon"), read);
+  const PickSource source = splitPickSource(values.text("horizon"));
+  read.horizon = source.horizon;
+  input.picks = readPicks(source.path, read);
   input.notes = input.picks.notes;
+  input.warnings = input.picks.warnings;
+  read.horizon.clear();
+  read.columns.clear();
   for (const std::string& file : values.texts("fault"))
     for (FaultInput& fault : readFaults(file)) {
       input.notes.insert(input.notes.end(), fault.notes.begin(), fault.notes.end());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graben/io/pick_set.h"
+#include "graben/io/pick_reader.h"
 #include "graben/pipeline/horizon_reconstruction.h"
 #include "support/options.h"
 
@@ -11,11 +11,18 @@ struct HorizonInput {
   PickSet picks;
   std::vector<FaultGeometry> faults;
   std::vector<DipMeasurement> dips;
-  std::vector<std::string> notes; ///< sentences for the user: what was ignored, dropped or assumed
+  std::vector<std::string> notes;    ///< sentences for the user: what was ignored, dropped or assumed
+  std::vector<std::string> warnings; ///< sentences for the user: what is probably not as it was meant
 };
 
 /// The options of a reconstruction: --horizon, --fault and every parameter of ReconstructionOptions.
 void declareHorizonOptions(OptionParser& parser);
+
+/// --columns and --null, for commands that read picks.
+void declareTableOptions(OptionParser& parser);
+
+/// What they say.
+ReadOptions readOptions(const OptionValues& values, const ProgressCallback& progress = {});
 
 /// The parameters alone, for commands with an input of their own.
 void declareParameterOptions(OptionParser& parser);

@@ -4,7 +4,6 @@
 #include "table_reader.h"
 
 #include <algorithm>
-#include <map>
 
 namespace graben {
 namespace {
@@ -30,63 +29,67 @@ bool numberedName(std::string_view line, std::size_t& column, std::string& name)
     return false;
   column = static_cast<std::size_t>(number) - 1;
   const std::string_view rest = trim(line.substr(end + 1));
-  name = earth_vision ? rest.substr(0, rest.find_first_of(" \t")) : rest;
-  return true;
-}
-
-std::vector<std::string> numberedNames(const std::vector<std::string_view>& header) {
-  std::map<std::size_t, std::string> named;
-  for (const std::string_view line : header) {
-    std::size_t column = 0;
-    std::string name;
-    if (numberedName(withoutCommentMark(line), column, name))
-      named[column] = name;
+  name = rest;
+  if (earth_vision) {
+    const std::size_t word = rest.find_first_of(" \t");
+    const std::string unit = word == std::string_view::npos ? "" : unitOf(trim(rest.substr(word)));
+    name = std::string(rest.substr(0, word)) + (unit.empty() ? "" : " [" + unit + "]");
   }
-  std::vector<std::string> names;
-  if (!named.empty())
-    names.resize(named.rbegin()->first + 1);
-  for (const auto& [column, name] : named)
-    names[column] = name;
-  return names;
-}
-
-/// Lower case, letters and digits only; what stands in brackets (units) is left off.
-std::string plainName(std::string_view name) {
-  std::string plain;
-  for (const char c : toLower(name.substr(0, name.find_first_of("([{"))))
-    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
-      plain += c;
-  return plain;
+  return true;
 }
 
 bool isOneOf(const std::string& name, const std::vector<std::string>& list) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
+/// The words of a name in lower case, without what is neither letter nor digit.
+std::vector<std::string> wordsOf(const std::string& name) {
+  std::vector<std::string> words(1);
+  for (const char c : toLower(name)) {
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
+      words.back() += c;
+    else if (!words.back().empty())
+      words.emplace_back();
+  }
+  if (words.back().empty())
+    words.pop_back();
+  return words;
+}
+
+/// Lower case, letters and digits only; a unit that stands apart at the end is left off.
+std::string plainName(const std::string& name) {
+  const std::size_t bracket = name.find_first_of("([{");
+  std::vector<std::string> words = wordsOf(name.substr(0, bracket == 0 ? std::string::npos : bracket));
+  if (words.size() > 1 && !unitOf(words.back()).empty())
+    words.pop_back();
+  std::string plain;
+  for (const std::string& word : words)
+    plain += word;
+  return plain;
+}
+
 bool isX(const std::string& name) {
-  return isOneOf(name, {"x",          "easting", "eastings", "east",    "e",       "xutme",
-                        "utmx",       "utme",    "xutm",     "xcoord",  "coordx",  "xcoordinate",
-                        "cdpx",       "px",      "pointx",   "pointsx", "points0", "worldx",
-                        "realworldx", "xm",      "xeasting", "xft"});
+  return isOneOf(name, {"x",      "easting",  "eastings",    "east",       "e",       "xutme",  "utmx",    "utme",    "xutm",   "utmeasting",
+                        "xcoord", "coordx",   "xcoordinate", "cdpx",       "px",      "pointx", "pointsx", "points0", "worldx", "realworldx",
+                        "xm",     "xeasting", "xft",         "rechtswert", "ostwert", "cmpx",   "xloc",    "xm"});
 }
 
 bool isY(const std::string& name) {
-  return isOneOf(name, {"y",          "northing", "northings", "north",   "n",       "yutmn",
-                        "utmy",       "utmn",     "yutm",      "ycoord",  "coordy",  "ycoordinate",
-                        "cdpy",       "py",       "pointy",    "pointsy", "points1", "worldy",
-                        "realworldy", "ym",       "ynorthing", "yft"});
+  return isOneOf(name, {"y",      "northing",  "northings",   "north",    "n",        "yutmn",  "utmy",    "utmn",    "yutm",   "utmnorthing",
+                        "ycoord", "coordy",    "ycoordinate", "cdpy",     "py",       "pointy", "pointsy", "points1", "worldy", "realworldy",
+                        "ym",     "ynorthing", "yft",         "hochwert", "nordwert", "cmpy",   "yloc",    "ym"});
 }
 
 /// How well a name fits z: 0 not at all, 3 exactly.
 int rankAsZ(const std::string& name) {
   if (name == "z")
     return 3;
-  if (isOneOf(name, {"ztvdss", "ztvd", "zcoord", "coordz", "zcoordinate", "pz", "pointz", "pointsz",
-                     "points2", "worldz", "realworldz", "zm", "zft", "zms", "zvalue", "zdepth",
-                     "ztime", "zelevation"}))
+  if (isOneOf(name, {"ztvdss",     "ztvd", "zcoord", "coordz", "zcoordinate", "pz",     "pointz", "pointsz", "points2",    "worldz",
+                     "realworldz", "zm",   "zft",    "zms",    "zvalue",      "zdepth", "ztime",  "ztwt",    "zelevation", "zloc"}))
     return 2;
-  return isOneOf(name, {"depth", "tvdss", "tvd", "elevation", "elev", "twt", "time", "height",
-                        "altitude", "msl"})
+  return isOneOf(name, {"depth",  "tvdss",   "tvd",    "tvdsubsea", "depthss", "ssdepth",    "subsea",    "subseadepth", "depthsubsea", "elevation",
+                        "elev",   "twt",     "twtms",  "twts",      "twttime", "twowaytime", "twtpicked", "owt",         "time",        "timems",
+                        "depthm", "depthft", "height", "altitude",  "msl",     "surfacez",   "hohe",      "tiefe"})
              ? 1
              : 0;
 }
@@ -98,7 +101,99 @@ char delimiterOf(std::string_view line) {
   return ' ';
 }
 
+bool namesPlaces(const std::vector<std::string>& names) {
+  const auto columns = findCoordinateColumns(names);
+  const auto both = [&](ColumnRole a, ColumnRole b) { return findColumn(names, a) >= 0 && findColumn(names, b) >= 0; };
+  return (columns[0] >= 0 && columns[1] >= 0) || both(ColumnRole::Inline, ColumnRole::Crossline) || both(ColumnRole::Longitude, ColumnRole::Latitude);
+}
+
+const std::vector<std::string>& namesOf(ColumnRole role) {
+  static const std::map<ColumnRole, std::vector<std::string>> names = {
+      {ColumnRole::Inline, {"inline", "il", "iline", "inlineno", "inlinenumber", "inlinenr", "linenumber3d"}},
+      {ColumnRole::Crossline,
+       {"crossline", "xl", "xline", "crosslineno", "crosslinenumber", "xlinenumber", "crosslinenr", "trace", "tracenumber", "cdp"}},
+      {ColumnRole::Longitude, {"lon", "long", "longitude", "lng", "londeg", "longdeg", "longitudedeg", "lonwgs84", "longitudewgs84"}},
+      {ColumnRole::Latitude, {"lat", "latitude", "latdeg", "latitudedeg", "latwgs84", "latitudewgs84"}},
+      {ColumnRole::Horizon,
+       {"horizon", "horizonname", "horizons", "surface", "surfacename", "interpretation", "hor", "horname", "marker", "formation", "top", "topname"}},
+      {ColumnRole::Fault, {"fault", "faultname", "name", "faultid", "faultno", "faultnr", "object", "objectname", "feature", "featurename"}},
+      {ColumnRole::Stick, {"stick",      "sticknr", "stickno",    "stickid",      "sticknumber", "stickindex", "stickidx", "segment", "segid",
+                           "segmentid",  "segi",    "polyid",     "poly",         "polygon",     "polygonid",  "line",     "lineid",  "polyline",
+                           "polylineid", "sticks",  "faultstick", "faultstickid", "segno",       "part",       "partid"}},
+      {ColumnRole::Node,
+       {"node", "nodenr", "nodeno", "nodeid", "nodenumber", "nodeindex", "knot", "knotnr", "vertex", "vertexid", "pointid", "pointnr", "pt",
+        "sequence", "seq", "order"}}};
+  return names.at(role);
+}
+
 } // namespace
+
+void HeaderNames::addNumbered(std::string_view text) {
+  std::size_t column = 0;
+  std::string name;
+  if (numberedName(text, column, name))
+    numbered_[column] = name;
+}
+
+void HeaderNames::addFact(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos)
+    return;
+  const std::string key = toLower(trim(text.substr(0, colon)));
+  const std::string_view value = trim(text.substr(colon + 1));
+  double number = 0.0;
+  if ((key == "null_value" || key == "null" || key == "null value" || key == "nodata" || key == "no data value") && parseField(value, number))
+    nulls_.push_back(number);
+  else if (key == "unit in x and y direction" || key == "units")
+    xy_unit_ = unitOf(value);
+  else if (key == "unit in depth" || key == "unit in z direction" || key == "unit in z")
+    z_unit_ = unitOf(value);
+}
+
+void HeaderNames::add(std::string_view line) {
+  const std::string_view text = withoutCommentMark(line);
+  const std::string lower = toLower(text);
+  if (lower == "begin header" || lower == "end header") {
+    inside_block_ = lower == "begin header";
+    if (inside_block_)
+      block_.clear();
+    return;
+  }
+  if (inside_block_) {
+    const std::size_t comma = text.find(',');
+    block_.emplace_back(trim(comma == std::string_view::npos ? text : text.substr(comma + 1)));
+    return;
+  }
+  addNumbered(text);
+  addFact(text);
+  std::vector<std::string_view> fields;
+  splitFields(text, delimiterOf(text), fields);
+  if (fields.size() == 2 && isOneOf(toLower(fields[0]), {"discrete", "float", "string", "int", "double"})) {
+    attributes_.emplace_back(fields[1]);
+    return;
+  }
+  std::vector<std::string> row(fields.begin(), fields.end());
+  if (namesPlaces(row))
+    row_ = std::move(row);
+}
+
+std::vector<std::string> HeaderNames::names() const {
+  std::vector<std::string> names;
+  if (!numbered_.empty())
+    names.resize(numbered_.rbegin()->first + 1);
+  for (const auto& [column, name] : numbered_)
+    names[column] = name;
+  if (namesPlaces(names))
+    return names;
+  if (namesPlaces(block_))
+    return block_;
+  if (row_.empty() && !attributes_.empty()) {
+    names = {"X", "Y", "Z"};
+    names.insert(names.end(), attributes_.begin(), attributes_.end());
+    return names;
+  }
+  return row_;
+}
 
 std::array<int, 3> findCoordinateColumns(const std::vector<std::string>& names) {
   std::array<int, 3> columns{-1, -1, -1};
@@ -119,10 +214,9 @@ std::array<int, 3> findCoordinateColumns(const std::vector<std::string>& names) 
 
 DipColumns findDipColumns(const std::vector<std::string>& names) {
   static const std::vector<std::string> dip = {"dip", "dipangle", "dipamount", "dipdeg", "dipdegrees", "truedip", "inclination", "incl"};
-  static const std::vector<std::string> azimuth = {"azimuth", "azim", "azi", "az", "dipazimuth", "dipazim", "dipazi", "dipaz",
-                                                   "dipdirection", "dipdir", "dipdirn", "dd", "azimuthdeg", "dipazimuthdeg"};
-  static const std::vector<std::string> strike = {"strike", "strikerhr", "strikeazimuth", "strikeazi", "strikedir", "strikedirection",
-                                                  "strikedeg"};
+  static const std::vector<std::string> azimuth = {"azimuth", "azim",         "azi",    "az",      "dipazimuth", "dipazim",    "dipazi",
+                                                   "dipaz",   "dipdirection", "dipdir", "dipdirn", "dd",         "azimuthdeg", "dipazimuthdeg"};
+  static const std::vector<std::string> strike = {"strike", "strikerhr", "strikeazimuth", "strikeazi", "strikedir", "strikedirection", "strikedeg"};
   DipColumns columns;
   const auto take = [](int& column, const std::string& name, const std::vector<std::string>& list, std::size_t i) {
     if (column < 0 && isOneOf(name, list))
@@ -137,21 +231,62 @@ DipColumns findDipColumns(const std::vector<std::string>& names) {
   return columns;
 }
 
-std::vector<std::string> columnNames(const std::vector<std::string_view>& header) {
-  std::vector<std::string> names = numberedNames(header);
-  const auto named = findCoordinateColumns(names);
-  if (named[0] >= 0 && named[1] >= 0)
-    return names;
-  std::vector<std::string_view> fields;
-  for (auto line = header.rbegin(); line != header.rend(); ++line) {
-    const std::string_view text = withoutCommentMark(*line);
-    splitFields(text, delimiterOf(text), fields);
-    names.assign(fields.begin(), fields.end());
-    const auto columns = findCoordinateColumns(names);
-    if (columns[0] >= 0 && columns[1] >= 0)
-      return names;
-  }
+int findColumn(const std::vector<std::string>& names, ColumnRole role) {
+  const std::vector<std::string>& list = namesOf(role);
+  const auto found = std::find_if(names.begin(), names.end(), [&](const std::string& name) { return isOneOf(plainName(name), list); });
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+int findColumn(const std::vector<std::string>& names, const std::string& wanted, std::size_t columns) {
+  const auto by = [&](auto text) {
+    const auto found = std::find_if(names.begin(), names.end(), [&](const std::string& name) { return !name.empty() && text(name) == text(wanted); });
+    return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+  };
+  int column = by([](const std::string& name) { return name; });
+  if (column < 0)
+    column = by([](const std::string& name) { return toLower(trim(name)); });
+  std::int64_t number = 0;
+  if (column < 0 && parseInteger(wanted, number))
+    return number >= 1 && number <= static_cast<std::int64_t>(columns) ? static_cast<int>(number - 1) : -1;
+  if (column < 0 && !plainName(wanted).empty())
+    column = by([](const std::string& name) { return plainName(name); });
+  return column;
+}
+
+std::string unitOf(std::string_view text) {
+  static const std::map<std::string, std::string> units = {
+      {"m", "m"},           {"meter", "m"},       {"meters", "m"},  {"metre", "m"}, {"metres", "m"},        {"mtr", "m"},
+      {"ft", "ft"},         {"feet", "ft"},       {"foot", "ft"},   {"usft", "ft"}, {"ftus", "ft"},         {"km", "km"},
+      {"kilometers", "km"}, {"kilometres", "km"}, {"ms", "ms"},     {"msec", "ms"}, {"milliseconds", "ms"}, {"s", "s"},
+      {"sec", "s"},         {"second", "s"},      {"seconds", "s"}, {"us", "us"},   {"microseconds", "us"}};
+  std::string plain;
+  for (const char c : toLower(text))
+    if ((c >= 'a' && c <= 'z'))
+      plain += c;
+  const auto found = units.find(plain);
+  return found == units.end() ? std::string() : found->second;
+}
+
+std::string unitOfName(const std::string& name) {
+  const std::vector<std::string> words = wordsOf(name);
+  if (words.size() > 1 && !unitOf(words.back()).empty())
+    return unitOf(words.back());
+  if (words.size() == 1)
+    for (const char* base : {"z", "x", "y", "depth", "twt", "time", "tvdss", "tvd", "elevation"})
+      for (const char* unit : {"ms", "ft", "km", "m", "s"})
+        if (words[0] == std::string(base) + unit)
+          return unit;
   return {};
+}
+
+int senseOfName(const std::string& name) {
+  const std::string plain = plainName(name);
+  const auto holds = [&](std::initializer_list<const char*> words) {
+    return std::any_of(words.begin(), words.end(), [&](const char* word) { return plain.find(word) != std::string::npos; });
+  };
+  if (holds({"elev", "height", "altitude", "hohe"}) || plain == "msl")
+    return 1;
+  return holds({"depth", "tvd", "twt", "time", "subsea", "tiefe", "owt"}) ? -1 : 0;
 }
 
 } // namespace graben

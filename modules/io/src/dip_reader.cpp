@@ -37,7 +37,7 @@ const TableKind& dipTable() {
 }
 
 bool isNullAngle(double angle) {
-  return isNullValue(angle) || angle == -999.0 || angle == -9999.0;
+  return isNullValue(angle) || (angle != 0.0 && isNullCode(angle));
 }
 
 std::string degrees(double angle) {
@@ -102,7 +102,7 @@ DipSet readDips(const std::string& path, const ReadOptions& options) {
     throw ParseError(path, 0, "is " + describe(format) + ", not a table of dips (text x y z dip azimuth, or x y z strike dip)");
   std::string storage;
   PickSet rows = DipTable(textOf(content, path, storage), {content, path, options}).read();
-  dropNoData(rows, false, options.threads);
+  dropNoData(rows, {false, options.nulls, options.threads, options.recognise_nulls});
   if (rows.points.empty())
     throw ParseError(path, 0, "is no table of dips: no row holds data");
   DipSet set;

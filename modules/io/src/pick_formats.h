@@ -7,6 +7,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace graben {
 
@@ -22,6 +23,9 @@ PickSet readTextPicks(std::string_view text, const PickFile& file);
 PickSet readPcdPicks(const PickFile& file);
 PickSet readPlyPicks(const PickFile& file);
 PickSet readGocadPicks(std::string_view text, const std::string& path);
+
+/// \throw ParseError if the horizon asked for is not among those a file holds
+void requireHorizon(const std::vector<std::string>& names, const PickFile& file);
 
 /// Rows of a point and its normal.
 void splitRows(const std::vector<Eigen::Matrix<double, 6, 1>>& rows, unsigned threads, PickSet& picks);

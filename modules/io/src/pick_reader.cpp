@@ -32,17 +32,27 @@ PickSet readRows(const PickFile& file, FileFormat format) {
   }
 }
 
-/// IRAP/RMS points carry no sign, but a horizon seldom crosses the datum.
-ZPositive impliedByRms(const PickSet& picks) {
-  const std::string extension = extensionOf(picks.source);
-  if (extension != ".poi" && extension != ".ipts" && extension != ".irap")
-    return ZPositive::Unknown;
+/// What the picks' z says of its direction beside the header's word for it.
+void judgeDirection(PickSet& picks) {
   const auto all = [&](auto test) {
     return std::all_of(picks.points.begin(), picks.points.end(), test);
   };
+  const bool below = all([](const Vector3& p) { return p.z() < 0.0; });
+  if (picks.z_positive == ZPositive::Down && below) {
+    picks.z_positive = ZPositive::Up;
+    picks.z_reason += ", but all z are negative: taken as elevation";
+  }
+  // IRAP/RMS points carry no sign, but a horizon seldom crosses the datum.
+  const std::string extension = extensionOf(picks.source);
+  const bool rms = extension == ".poi" || extension == ".ipts" || extension == ".irap";
+  if (picks.z_positive != ZPositive::Unknown || !rms)
+    return;
   if (all([](const Vector3& p) { return p.z() > 0.0; }))
-    return ZPositive::Down;
-  return all([](const Vector3& p) { return p.z() < 0.0; }) ? ZPositive::Up : ZPositive::Unknown;
+    picks.z_positive = ZPositive::Down;
+  else if (below)
+    picks.z_positive = ZPositive::Up;
+  if (picks.z_positive != ZPositive::Unknown)
+    picks.z_reason = "points of RMS (" + extension + ") with all z " + (below ? "negative" : "positive");
 }
 
 } // namespace
@@ -74,12 +84,27 @@ PickSet readPicks(const std::string& path, const ReadOptions& options) {
   const FileFormat format = formatOf(content.bytes(), path);
   PickSet picks = readRows({content, path, options}, format);
   picks.source = path;
-  dropNoData(picks, format == FileFormat::Text, options.threads);
+  if (picks.format.empty())
+    picks.format = describe(format);
+  if (!options.horizon.empty() && picks.horizon.empty())
+    throw ParseError(path, 0, "names no horizon, so '" + options.horizon + "' cannot be told from others");
+  if (!options.columns.empty() && format != FileFormat::Text)
+    throw ParseError(path, 0, "is " + describe(format) + ": --columns is for text tables");
+  NullRules nulls{format == FileFormat::Text, options.nulls, options.threads, options.recognise_nulls};
+  nulls.values.insert(nulls.values.end(), picks.header_nulls.begin(), picks.header_nulls.end());
+  dropNoData(picks, nulls);
   if (picks.points.empty())
     throw ParseError(path, 0, "is no point cloud: no row holds data");
-  if (format == FileFormat::Text)
-    picks.z_positive = impliedByRms(picks);
+  judgeDirection(picks);
   return picks;
+}
+
+PickSource splitPickSource(const std::string& argument) {
+  std::error_code error;
+  const std::size_t colon = argument.rfind(':');
+  if (colon == std::string::npos || colon == 0 || colon + 1 == argument.size() || std::filesystem::exists(argument, error))
+    return {argument, {}};
+  return {argument.substr(0, colon), argument.substr(colon + 1)};
 }
 
 } // namespace graben

@@ -80,8 +80,12 @@ std::vector<FaultStick> sticksFromLines(std::vector<Points> lines,
   std::vector<FaultStick> sticks;
   std::size_t null_points = 0;
   std::size_t short_lines = 0;
+  Points all;
+  for (const Points& line : lines)
+    all.insert(all.end(), line.begin(), line.end());
+  const std::vector<double> nulls = nullsOf(all, {});
+  const auto is_null = [&nulls](const Vector3& p) { return !p.allFinite() || isNullAmong(nulls, p.z()); };
   for (Points& line : lines) {
-    const auto is_null = [](const Vector3& p) { return !p.allFinite() || isNullValue(p.z()); };
     const auto end = std::remove_if(line.begin(), line.end(), is_null);
     null_points += static_cast<std::size_t>(line.end() - end);
     line.erase(end, line.end());

@@ -38,7 +38,7 @@ bool isNumber(std::string_view field) {
 }
 
 /// `1,5` in two fields or more that are not parted by commas.
-bool hasDecimalCommas(std::string_view row) {
+bool isRowWithDecimalCommas(std::string_view row) {
   std::vector<std::string_view> words;
   splitFields(row, row.find(';') != std::string_view::npos ? ';' : ' ', words);
   const auto is_decimal = [](std::string_view word) {
@@ -56,13 +56,18 @@ bool findColumns(std::string_view row, const std::vector<int>& named, TextLayout
   splitFields(row, layout.delimiter, fields);
   layout.columns_in_row = fields.size();
   layout.names_used = *std::min_element(named.begin(), named.end()) >= 0;
+  if (!layout.names_used) {
+    layout.columns.clear();
+    for (std::size_t i = 0; i < fields.size() && layout.columns.size() < named.size(); ++i)
+      if (isNumber(fields[i]))
+        layout.columns.push_back(static_cast<int>(i));
+    return layout.columns.size() == named.size();
+  }
   // Exports of several horizons start each row with a quoted name that the header does not list.
   const bool quoted_name = trim(row).front() == '"' && !isNumber(fields.front());
-  const bool listed = layout.names_used && layout.names.size() == fields.size();
+  const bool listed = layout.names.size() == fields.size();
   const int shift = quoted_name && !listed ? 1 : 0;
   layout.columns = named;
-  if (!layout.names_used)
-    std::iota(layout.columns.begin(), layout.columns.end(), 0);
   for (int& column : layout.columns) {
     column += shift;
     const auto at = static_cast<std::size_t>(column);
@@ -80,6 +85,19 @@ bool layoutOfRow(std::string_view row, const std::vector<int>& named, TextLayout
   });
 }
 
+/// A row in which text stands before the numbers may be prose; it is none if the next row is built alike.
+bool isRowOfTable(const TextLayout& layout, LineReader after) {
+  const bool numbers_first = layout.names_used || layout.columns.back() + 1 == static_cast<int>(layout.columns.size());
+  std::string_view next;
+  while (!numbers_first && after.next(next)) {
+    if (isPassedOver(next))
+      continue;
+    TextLayout other = layout;
+    return findColumns(next, std::vector<int>(layout.columns.size(), -1), other) && other.columns == layout.columns;
+  }
+  return true;
+}
+
 std::string listOf(const std::vector<std::string>& items, const char* last = ", ") {
   std::string list;
   for (std::size_t i = 0; i < items.size(); ++i)
@@ -90,8 +108,8 @@ std::string listOf(const std::vector<std::string>& items, const char* last = ", 
 /// A line before the first row may be anything but a row of numbers that lacks one.
 void refuseShortRow(std::string_view line, const std::string& path, std::size_t number,
                     const TableKind& kind) {
-  if (hasDecimalCommas(line))
-    throw ParseError(path, number, "numbers with decimal commas; write them with points");
+  if (isRowWithDecimalCommas(line))
+    throw ParseError(path, number, "numbers with decimal commas among others; write them with points");
   std::string blanks(line);
   std::replace_if(
       blanks.begin(), blanks.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
@@ -105,28 +123,57 @@ void refuseShortRow(std::string_view line, const std::string& path, std::size_t 
 
 } // namespace
 
-TextLayout findLayout(std::string_view text, const std::string& path, const TableKind& kind) {
+TextLayout findLayout(std::string_view text, const std::string& path, const TableKind& kind, bool by_name) {
   TextLayout layout;
-  std::vector<std::string_view> header;
+  HeaderNames header;
   LineReader reader(text);
   std::string_view line;
   layout.body = reader.rest();
-  while (header.size() < most_header_lines && reader.next(line)) {
-    if (!isPassedOver(line)) {
-      layout.names = columnNames(header);
-      const NamedColumns named = kind.by_name(layout.names);
+  for (std::size_t lines = 0; lines < most_header_lines && reader.next(line); ++lines) {
+    if (!isPassedOver(line) && !header.insideBlock()) {
+      layout.names = header.names();
+      NamedColumns named = kind.by_name(layout.names);
+      if (!by_name)
+        named = {std::vector<int>(kind.wanted.size(), -1), {}};
       layout.first_line = reader.number();
-      if (layoutOfRow(line, named.columns, layout)) {
+      if (layoutOfRow(line, named.columns, layout) && isRowOfTable(layout, reader)) {
         if (!named.missing.empty())
           throw ParseError(path, reader.number() - 1, named.missing);
+        layout.nulls = header.nulls();
+        layout.xy_unit = header.xyUnit();
+        layout.z_unit = header.zUnit();
         return layout;
       }
       refuseShortRow(line, path, reader.number(), kind);
     }
-    header.push_back(line);
+    header.add(line);
     layout.body = reader.rest();
   }
   throw ParseError(path, 0, "is no " + kind.noun + ": no row of numbers " + listOf(kind.wanted, " and ") + " found");
+}
+
+bool hasDecimalCommas(std::string_view text) {
+  constexpr std::size_t rows_looked_at = 50;
+  LineReader reader(text.substr(0, 1 << 16));
+  std::string_view line;
+  std::size_t rows = 0;
+  bool last = false;
+  while (rows < rows_looked_at && reader.next(line)) {
+    if (isPassedOver(line) || line.find_first_of("0123456789") == std::string_view::npos)
+      continue;
+    ++rows;
+    last = isRowWithDecimalCommas(line) && line.find('.') == std::string_view::npos;
+  }
+  return last;
+}
+
+std::string withDecimalPoints(std::string_view text) {
+  std::string points(text);
+  const auto digit = [&](std::size_t i) { return points[i] >= '0' && points[i] <= '9'; };
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    if (points[i] == ',' && digit(i - 1) && digit(i + 1))
+      points[i] = '.';
+  return points;
 }
 
 void noteColumns(const TextLayout& layout, const TableKind& kind, std::vector<std::string>& notes) {

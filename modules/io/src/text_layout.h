@@ -1,6 +1,7 @@
 #pragma once
 
 #include "table_reader.h"
+#include "table_sample.h"
 
 #include "graben/io/pick_set.h"
 
@@ -33,11 +34,23 @@ struct TextLayout {
   std::size_t first_line = 1; ///< number of the first row's line
   std::string_view body;      ///< from the first row on
   bool names_used = false;
+  std::vector<double> nulls;   ///< what the header calls null
+  std::string xy_unit, z_unit; ///< as the header says
 };
 
-/// Goes over the header of a text table.
+/// Goes over the header of a text table. Without names the wanted numbers are the first ones of a row.
+/// \param[in] by_name whether names in the header count
 /// \throw ParseError if no row holds the wanted numbers, or the header names others but not all of them
-TextLayout findLayout(std::string_view text, const std::string& path, const TableKind& kind);
+TextLayout findLayout(std::string_view text, const std::string& path, const TableKind& kind, bool by_name = true);
+
+/// What a table of points has.
+const TableKind& pointTableKind();
+
+/// True if the rows of a table hold numbers as `1,5` that can be read in no other way: parted by semicolons, blanks or tabs, without points.
+bool hasDecimalCommas(std::string_view text);
+
+/// The text with points for commas between digits.
+std::string withDecimalPoints(std::string_view text);
 
 /// The columns the table has and nobody wants, for the user; and those taken unnamed.
 void noteColumns(const TextLayout& layout, const TableKind& kind, std::vector<std::string>& notes);

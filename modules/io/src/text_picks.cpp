@@ -1,31 +1,77 @@
-#include "pick_formats.h"
-
 #include "column_names.h"
+#include "pick_columns.h"
+#include "pick_formats.h"
 #include "text_layout.h"
+
+#include "graben/core/errors.h"
+
+#include <algorithm>
 
 namespace graben {
 namespace {
 
-NamedColumns pointColumns(const std::vector<std::string>& names) {
-  const auto found = findCoordinateColumns(names);
-  const bool z_missing = !names.empty() && found[2] < 0 && names.size() > 3;
-  return {{found.begin(), found.end()}, z_missing ? "the header names columns x and y but none for z" : ""};
+std::string layoutText(const TextLayout& layout, const PickSet& picks) {
+  const std::string separator = layout.delimiter == ' ' ? "blanks" : (layout.delimiter == '\t' ? "tabs" : std::string("'") + layout.delimiter + "'");
+  std::string text = std::to_string(layout.columns_in_row) + " columns parted by " + separator + ", x y z in columns ";
+  for (std::size_t k = 0; k < 3; ++k)
+    text += (k == 0 ? "" : ", ") + std::to_string(layout.columns[k] + 1);
+  text += layout.names_used ? " (named in the header)" : " (the header names none)";
+  return text + ", first row in line " + std::to_string(layout.first_line) + (picks.horizon.empty() ? "" : ", horizon " + picks.horizon);
 }
 
-const TableKind& pointTable() {
-  static const TableKind kind{"point cloud", "point", {"x", "y", "z"}, pointColumns};
-  return kind;
+/// Leaves the rows of one horizon in the layout's body.
+void chooseHorizon(TextLayout& layout, const PickFile& file, PickSet& picks, std::string& storage) {
+  const TableSample sample = sampleTable(layout.body, layout.delimiter, layout.columns_in_row);
+  const HorizonColumn horizons = findHorizons(layout, sample);
+  const std::string& wanted = file.options.horizon;
+  if (wanted.empty()) {
+    if (horizons.names.size() > 1)
+      throw ParseError(file.path, 0, severalHorizons(horizons.names) + " (column " + std::to_string(horizons.column + 1) + ")");
+    picks.horizon = horizons.names.empty() ? "" : horizons.names.front();
+    return;
+  }
+  requireHorizon(horizons.names, file);
+  picks.horizon = wanted;
+  if (horizons.names.size() > 1) {
+    storage = onlyHorizon(layout.body, layout, horizons.column, wanted);
+    layout.body = storage;
+  }
 }
 
 } // namespace
 
+const TableKind& pointTableKind() {
+  static const TableKind kind{"point cloud", "point", {"x", "y", "z"}, pointColumns};
+  return kind;
+}
+
+void requireHorizon(const std::vector<std::string>& names, const PickFile& file) {
+  if (names.empty())
+    throw ParseError(file.path, 0, "names no horizon, so '" + file.options.horizon + "' cannot be told from others");
+  if (std::find(names.begin(), names.end(), file.options.horizon) == names.end())
+    throw ParseError(file.path, 0, "holds no horizon '" + file.options.horizon + "'; it " + severalHorizons(names));
+}
+
 PickSet readTextPicks(std::string_view text, const PickFile& file) {
-  const TextLayout layout = findLayout(text, file.path, pointTable());
-  Table<3> table = readTable<3>(tableSource(layout.body, layout.first_line, file), tableLayoutOf<3>(layout));
   PickSet picks;
   picks.source = file.path;
-  noteColumns(layout, pointTable(), picks.notes);
-  judgeBadRows(table.bad_lines, table.last_line, pointTable(), picks);
+  picks.format = "text table";
+  std::string with_points;
+  if (hasDecimalCommas(text)) {
+    with_points = withDecimalPoints(text);
+    text = with_points;
+    picks.notes.push_back("decimal commas read as points");
+  }
+  TextLayout layout = findLayout(text, file.path, pointTableKind(), file.options.columns.empty());
+  picks.xy_unit = layout.xy_unit;
+  picks.z_unit = layout.z_unit;
+  settleColumns(layout, file, picks);
+  std::string storage;
+  chooseHorizon(layout, file, picks, storage);
+  picks.layout = layoutText(layout, picks);
+  picks.header_nulls = layout.nulls;
+  Table<3> table = readTable<3>(tableSource(layout.body, layout.first_line, file), tableLayoutOf<3>(layout));
+  judgeBadRows(table.bad_lines, table.last_line, pointTableKind(), picks);
   picks.points = std::move(table.rows);
   return picks;
 }

@@ -155,9 +155,11 @@ TEST(TextPicks, tellsOfAFewUnreadableRowsAtTheEnd) {
   EXPECT_THAT(picks.notes, Contains(HasSubstr("first in line 4")));
 }
 
-TEST(TextPicks, refusesDecimalCommas) {
-  EXPECT_THAT(failure("1,5 2,5 3,5\n4,5 5,5 6,5\n"), HasSubstr("decimal commas"));
-  EXPECT_THAT(failure("x;y;z\n1,5;2,5;3,5\n"), HasSubstr("decimal commas"));
+TEST(TextPicks, readsDecimalCommasWhereTheyCanBeNothingElse) {
+  EXPECT_EQ(read("1,5 2,5 3,5\n4 5,0 6,0\n7 8,0 9,0\n").points, three);
+  EXPECT_EQ(read("x;y;z\n1,5;2,5;3,5\n4,0;5;6,0\n7,0;8,0;9\n").points, three);
+  EXPECT_EQ(read("1,5\t2,5\t3,5\n4\t5,0\t6,0\n7\t8,0\t9,0\n").points, three);
+  EXPECT_THAT(failure("1,5 2,5 3.5\n4,5 5,5 6.5\n"), HasSubstr("decimal commas"));
 }
 
 TEST(TextPicks, refusesWhatIsNoCloud) {
