@@ -177,6 +177,8 @@ std::string evaluationText(const EvaluationFiles& files, const SurfaceEvaluation
       e.quality.smallest_angle_median);
   if (e.truth && e.truth->from_truth_at_picks)
     text += line("the truth counts as missing within %.4g of a pick, as far as a surface is carried on by default", e.pick_reach);
+  if (e.truth && e.truth->beyond > 0.0)
+    text += line("%.3g %% of the surface lies beyond the edge of the truth and is not counted", 100.0 * e.truth->beyond);
   text += line("%-36s %12s %12s", "figure", "value", "limit");
   for (const Figure& figure : figuresOf(e, sigma)) {
     const std::string unit = figure.unit.empty() ? "" : " " + figure.unit;

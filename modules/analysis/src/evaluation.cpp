@@ -103,6 +103,7 @@ SurfaceEvaluation evaluateSurface(const EvaluationInput& input, const Evaluation
     distance.samples = options.samples;
     distance.zone_width = options.zone_width;
     distance.threads = options.threads;
+    distance.truth_tolerance = kTruthOnFault * result.voxel_size;
     if (!input.picks.empty())
       result.pick_reach = distance.pick_reach = reachOfPicks(input.picks, options);
     distance.picks = distance.pick_reach > 0.0 ? &input.picks : nullptr;

@@ -1,6 +1,7 @@
 #include "graben/analysis/seal.h"
 
 #include "border_edges.h"
+#include "outer_edge.h"
 #include "part_near_faults.h"
 
 #include "graben/analysis/statistics.h"
@@ -30,18 +31,27 @@ public:
   TrueBorder(const SealOptions& options, const FaultNetwork& network)
       : network_(network)
       , tolerance_(options.truth_tolerance) {
-    if (options.truth != nullptr)
-      bvh_ = TriangleBvh(borderMesh(*options.truth, options.threads), options.threads);
+    if (options.truth == nullptr)
+      return;
+    bvh_ = TriangleBvh(borderMesh(*options.truth, options.threads), options.threads);
+    ends_ = OuterEdge(*options.truth, network, tolerance_, options.threads).ends();
   }
 
+  /// False too for a vertex off the fault's border that is no nearer to it than its end, where the outer edge begins, is.
   bool endsAtFaultNear(const Vector3& p) const {
-    return bvh_.empty() || network_.nearest(bvh_.nearest(p).point, tolerance_).fault >= 0;
+    if (bvh_.empty())
+      return true;
+    const Vector3 nearest = bvh_.nearest(p).point;
+    const double off = (p - nearest).norm();
+    const auto isEndNear = [&](const Vector3& end) { return (end - nearest).norm() <= off; };
+    return network_.nearest(nearest, tolerance_).fault >= 0 && (off <= 1e-6 * tolerance_ || std::none_of(ends_.begin(), ends_.end(), isEndNear));
   }
 
 private:
   const FaultNetwork& network_;
   double tolerance_;
   TriangleBvh bvh_;
+  Points ends_; ///< of the outer edge, at faults
 };
 
 FaultSeal sealOf(std::vector<double> distances, double tolerance) {

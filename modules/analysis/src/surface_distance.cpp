@@ -1,5 +1,7 @@
 #include "graben/analysis/surface_distance.h"
 
+#include "outer_edge.h"
+
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 #include "graben/features/neighbor_grid.h"
@@ -31,19 +33,30 @@ Vector3 pointIn(const TriangleMesh& mesh, const Triangle& triangle, double u, do
 
 struct Measured {
   std::vector<double> distance;
-  std::vector<char> near;
+  std::vector<char> near; ///< 0: far, 1: near, kBeyond: not counted
   std::vector<char> at_picks; ///< empty where it is not asked for
 };
 
-Measured measure(const Points& points, const TriangleBvh& target, const FaultNetwork& network, const NeighborGrid* picks,
+constexpr char kBeyond = 3;
+
+/// What one way of measuring is done with; null where there is none.
+struct Limits {
+  const NeighborGrid* picks = nullptr;
+  const OuterEdge* edge = nullptr; ///< of the target
+};
+
+Measured measure(const Points& points, const TriangleBvh& target, const FaultNetwork& network, const Limits& limits,
                  const SurfaceDistanceOptions& options) {
   Measured result{std::vector<double>(points.size()), std::vector<char>(points.size(), 0), {}};
-  result.at_picks.resize(picks != nullptr ? points.size() : 0);
+  result.at_picks.resize(limits.picks != nullptr ? points.size() : 0);
   parallelFor(points.size(), 512, options.threads, [&](std::size_t i) {
-    result.distance[i] = target.nearest(points[i]).distance;
+    const MeshPoint nearest = target.nearest(points[i]);
+    result.distance[i] = nearest.distance;
     result.near[i] = !network.empty() && network.nearest(points[i], options.zone_width).fault >= 0 ? 1 : 0;
-    if (picks != nullptr)
-      result.at_picks[i] = picks->nearestOne(points[i], options.pick_reach).index >= 0 ? 1 : 0;
+    if (limits.edge != nullptr && limits.edge->isBeyond(points[i], nearest))
+      result.near[i] = kBeyond;
+    if (limits.picks != nullptr)
+      result.at_picks[i] = limits.picks->nearestOne(points[i], options.pick_reach).index >= 0 ? 1 : 0;
   });
   return result;
 }
@@ -52,7 +65,7 @@ Measured measure(const Points& points, const TriangleBvh& target, const FaultNet
 std::vector<double> pick(const Measured& measured, int which, bool at_picks) {
   std::vector<double> result;
   for (std::size_t i = 0; i < measured.distance.size(); ++i)
-    if ((which == 2 || measured.near[i] == which) && (!at_picks || measured.at_picks[i] != 0))
+    if (measured.near[i] != kBeyond && (which == 2 || measured.near[i] == which) && (!at_picks || measured.at_picks[i] != 0))
       result.push_back(measured.distance[i]);
   return result;
 }
@@ -67,18 +80,26 @@ OneWayDistances figuresOf(const Measured& samples, const Measured& vertices, boo
   return {figures(2), figures(1), figures(0)};
 }
 
-/// \param[out] at_picks if \a picks is not null, the figures within their reach
-OneWayDistances oneWay(const TriangleMesh& from, const TriangleBvh& target, const FaultNetwork& network, const NeighborGrid* picks,
-                       const SurfaceDistanceOptions& options, std::optional<OneWayDistances>* at_picks) {
-  const Measured samples = measure(sampleSurface(from, options.samples), target, network, picks, options);
+struct OneWay {
+  OneWayDistances all;
+  std::optional<OneWayDistances> at_picks; ///< where there are picks
+  double beyond = 0.0;                     ///< share of the samples
+};
+
+OneWay oneWay(const TriangleMesh& from, const TriangleBvh& target, const FaultNetwork& network, const Limits& limits,
+              const SurfaceDistanceOptions& options) {
+  const Measured samples = measure(sampleSurface(from, options.samples), target, network, limits, options);
   TriangleMesh used;
   used.vertices = from.vertices;
   used.triangles = from.triangles;
   removeUnreferencedVertices(used);
-  const Measured vertices = measure(used.vertices, target, network, picks, options);
-  if (picks != nullptr)
-    *at_picks = figuresOf(samples, vertices, true);
-  return figuresOf(samples, vertices, false);
+  const Measured vertices = measure(used.vertices, target, network, limits, options);
+  OneWay result{figuresOf(samples, vertices, false), {}, 0.0};
+  if (limits.picks != nullptr)
+    result.at_picks = figuresOf(samples, vertices, true);
+  const auto beyond = std::count(samples.near.begin(), samples.near.end(), kBeyond);
+  result.beyond = static_cast<double>(beyond) / static_cast<double>(samples.near.size());
+  return result;
 }
 
 } // namespace
@@ -117,11 +138,17 @@ SurfaceDistances surfaceDistances(const TriangleMesh& mesh, const TriangleMesh& 
     throw InvalidInputError(kStage, "the reach of the picks must be positive");
   const TriangleBvh mesh_bvh(mesh, options.threads);
   const TriangleBvh truth_bvh(truth, options.threads);
-  SurfaceDistances result;
-  result.to_truth = oneWay(mesh, truth_bvh, network, nullptr, options, nullptr);
+  std::optional<OuterEdge> edge;
+  if (options.truth_tolerance > 0.0)
+    edge.emplace(truth, network, options.truth_tolerance, options.threads);
+  const OneWay to_truth = oneWay(mesh, truth_bvh, network, {nullptr, edge ? &*edge : nullptr}, options);
   const NeighborGrid picks = options.picks != nullptr ? NeighborGrid(*options.picks, 0.0, options.threads) : NeighborGrid();
-  result.from_truth =
-    oneWay(truth, mesh_bvh, network, options.picks != nullptr ? &picks : nullptr, options, &result.from_truth_at_picks);
+  const OneWay from_truth = oneWay(truth, mesh_bvh, network, {options.picks != nullptr ? &picks : nullptr, nullptr}, options);
+  SurfaceDistances result;
+  result.to_truth = to_truth.all;
+  result.beyond = to_truth.beyond;
+  result.from_truth = from_truth.all;
+  result.from_truth_at_picks = from_truth.at_picks;
   return result;
 }
 

@@ -72,6 +72,19 @@ TEST(Seal, InnerVerticesOnTheFaultAreNoBorder) {
             2U);
 }
 
+TEST(Seal, BeyondTheEndsOfTheTruthsBorderAtAFaultNothingIsCounted) {
+  const TriangleMesh truth = test::gridMesh(10); // its edge x = 10 is the cut
+  TriangleMesh mesh = test::gridMesh(16);
+  for (Vector3& v : mesh.vertices)
+    v -= Vector3(6, 3, 0);
+  SealOptions by_truth = options(2.5, 1e-9);
+  by_truth.truth = &truth;
+  by_truth.truth_tolerance = 0.1;
+  const FaultNetwork faults = test::network(test::wall(10, -4, 14));
+  EXPECT_EQ(checkSeal(mesh, faults, by_truth).all.vertices, 11U); // y = 0 to 10
+  EXPECT_EQ(checkSeal(mesh, faults, by_truth).all.share, 1.0);
+}
+
 TEST(Seal, WithoutFaultsIsEmptyAndRefusesNonsense) {
   const TriangleMesh mesh = test::gridMesh(2);
   EXPECT_EQ(checkSeal(mesh, FaultNetwork(), options(1, 0)).all.vertices, 0U);

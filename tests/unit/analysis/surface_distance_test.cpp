@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace graben {
 namespace {
 
@@ -58,6 +60,22 @@ TEST(SurfaceDistance, SplitsNearFromFar) {
   EXPECT_NEAR(d.to_truth.near.max, 1.0, 1e-12);
   EXPECT_NEAR(d.to_truth.near.p95, 1.0, 1e-12);
   EXPECT_EQ(d.to_truth.near.count + d.to_truth.far.count, d.to_truth.all.count);
+}
+
+TEST(SurfaceDistance, WhatLiesBeyondTheTruthsOuterEdgeIsNotCountedIfAskedTo) {
+  TriangleMesh truth = test::gridMesh(10); // 0 to 10, the fault at x = 0
+  TriangleMesh mesh = raised(test::gridMesh(10), 0.5);
+  for (Vector3& v : mesh.vertices)
+    v.x() = 1.5 * v.x() - 2.0; // -2 to 13: a curtain before the fault, 3 too far on the other side
+  SurfaceDistanceOptions options = samples(20000, 0.01);
+  const FaultNetwork network = test::network(test::wall(0, 0, 10));
+  EXPECT_NEAR(surfaceDistances(mesh, truth, network, options).to_truth.all.max, std::hypot(3.0, 0.5), 1e-9);
+  options.truth_tolerance = 0.1;
+  const SurfaceDistances d = surfaceDistances(mesh, truth, network, options);
+  EXPECT_NEAR(d.to_truth.all.max, std::hypot(2.0, 0.5), 1e-9);
+  EXPECT_NEAR(d.beyond, 3.0 / 15.0, 1e-3);
+  EXPECT_NEAR(static_cast<double>(d.to_truth.all.count), 20000.0 * 12.0 / 15.0, 20.0);
+  EXPECT_EQ(d.from_truth.all.count, 20000U);
 }
 
 TEST(SurfaceDistance, ASpikeIsInTheMaximumHoweverFewTheSamples) {

@@ -1,8 +1,9 @@
 """The synthetic cases: what graben_synthesize is asked for, and what differs from it in the other two commands."""
 
 from dataclasses import dataclass
-from math import sqrt
+from math import nan, sqrt
 
+INTERPRETED = ("normal", "reverse", "tip", "listric", "branch", "conjugate")  # kinds that are picked as interpreters pick
 SIZE = 6000.0
 PICKS = 60000
 SIGMA = 2.0
@@ -22,6 +23,8 @@ class Case:
     reconstruct: tuple = ()  # options of graben_reconstruct beside picks, faults and output
     faults: str = "ts"  # what graben_reconstruct gets: ts, the surfaces, or pol, the sticks
     judged_by: tuple = ()  # options of graben_synthesize that make the faults graben_evaluate gets; none: the same
+    evaluate: tuple = ()  # more options of graben_evaluate
+    limits: tuple = ()  # (key, limit) of figures that have another limit here; nan: none
 
 
 def _kinds():
@@ -107,9 +110,103 @@ def _interpretation():
     yield Case("interpretation", "smear", "normal, picks within 30 m moved across the fault", ("--kind", "normal", "--smear", "30"))
 
 
+def _limits(away, zone, missing, cutoffs, throw=3.0, off_fault=1.0, slivers=0.4):
+    return (("surface_to_truth_far", away), ("surface_to_truth_near", zone), ("truth_to_surface_near", missing), ("cutoffs_to_border", cutoffs),
+            ("throw_error", throw), ("border_to_fault_p95", nan), ("border_off_fault", off_fault), ("share_below_10_degrees", slivers))
+
+
+LINES = _limits(0.25, 0.4, 0.45, 0.9)
+LINES_1000 = _limits(0.4, 0.6, 0.65, 1.25)
+MISTIES = _limits(1.1, 1.1, 1.3, 2.2)
+SHADOW = _limits(0.16, 0.4, 0.45, 0.8, throw=2.0)
+CONTOURS = _limits(1.5, 2.5, 2.5, 3.0)
+
+
+def _reach(distance):
+    return ("--pick-reach", f"{distance:g}")
+
+
+def _along(distance, azimuth=0, along=12.5):
+    return ("--sampling", "lines", "--line-distance", str(distance), "--azimuth", str(azimuth), "--along-line", f"{along:g}")
+
+
+def _lines():
+    """The faults strike 10 to 20 degrees off north: lines to the east are nearly dip lines."""
+    for kind in INTERPRETED:
+        yield Case("lines", f"lines-both-250-{kind}", f"{kind}, lines 250 m apart both ways", ("--kind", kind, *_along("250,250")),
+                   evaluate=_reach(130), limits=LINES)
+        for distance, azimuth, angle in ((250, 90, "steep"), (500, 90, "steep"), (500, 45, "30° to 55°"), (500, 0, "small")):
+            yield Case("lines", f"lines-{distance}-{azimuth}-{kind}", f"{kind}, lines {distance} m apart one way, angle to the fault {angle}",
+                       ("--kind", kind, *_along(distance, azimuth)), evaluate=_reach(0.52 * distance), limits=LINES)
+    for kind in INTERPRETED:
+        yield Case("lines 1000 m", f"lines-1000-{kind}", f"{kind}, lines 1000 m apart one way", ("--kind", kind, *_along(1000, 90)),
+                   evaluate=_reach(520), limits=LINES_1000)
+    for kind in INTERPRETED:
+        yield Case("misties", f"misties-{kind}", f"{kind}, lines 400 and 600 m apart, off by 1.5 σ", ("--kind", kind, *_along("400,600"), "--mistie", "3"),
+                   evaluate=_reach(310), limits=MISTIES)
+    for kind in INTERPRETED:
+        yield Case("every n-th line", f"every-4th-{kind}", f"{kind}, every 4th inline and crossline of 25 m", ("--kind", kind, *_along("100,100", along=25)),
+                   evaluate=_reach(60), limits=LINES)
+        yield Case("every n-th line", f"every-20th-{kind}", f"{kind}, every 20th inline and crossline of 25 m", ("--kind", kind, *_along("500,500", along=25)),
+                   evaluate=_reach(260), limits=LINES)
+
+
+def _shadow():
+    for kind in INTERPRETED:
+        for shadow in (100, 200):
+            yield Case("shadow", f"shadow-{shadow}-{kind}", f"{kind}, 25 m grid, no picks within {shadow} m of the fault",
+                       ("--kind", kind, "--sampling", "grid", "--line-distance", "25", "--shadow", str(shadow)), evaluate=_reach(1.3 * shadow), limits=SHADOW)
+        yield Case("shadow", f"shadow-fine-{kind}", f"{kind}, 12.5 m grid, no picks within 200 m of the fault",
+                   ("--kind", kind, "--size", "3000", "--relief", "60", "--sampling", "grid", "--line-distance", "12.5", "--shadow", "200"),
+                   evaluate=_reach(260), limits=SHADOW)
+    for kind in ("normal", "reverse"):
+        yield Case("shadow", f"shadow-one-side-{kind}", f"{kind}, 25 m grid, no picks within 300 m in the hanging wall",
+                   ("--kind", kind, "--sampling", "grid", "--line-distance", "25", "--shadow", "0,300"), evaluate=_reach(390), limits=SHADOW)
+        yield Case("shadow", f"shadow-400-{kind}", f"{kind}, 25 m grid, no picks within 400 m of the fault",
+                   ("--kind", kind, "--sampling", "grid", "--line-distance", "25", "--shadow", "400"), evaluate=_reach(520), limits=SHADOW)
+        yield Case("shadow", f"shadow-lines-{kind}", f"{kind}, lines 250 m apart both ways, no picks within 200 m of the fault",
+                   ("--kind", kind, *_along("250,250"), "--shadow", "200"), evaluate=_reach(260), limits=LINES_1000)
+
+
+def _holes():
+    discs = ("--hole", "700,-1500,300", "--hole", "-1800,600,200", "--hole", "1700,1500,500")
+    for kind in INTERPRETED:
+        yield Case("holes", f"holes-{kind}", f"{kind}, 25 m grid with three holes", ("--kind", kind, "--sampling", "grid", "--line-distance", "25", *discs))
+    for kind in INTERPRETED:
+        yield Case("unpicked", f"unpicked-{kind}", f"{kind}, lines 250 m apart both ways, a fifth unpicked in stretches of 600 m",
+                   ("--kind", kind, *_along("250,250"), "--unpicked", "0.2,600"), evaluate=_reach(130), limits=LINES_1000)
+
+
+def _contours():
+    for kind in INTERPRETED:
+        yield Case("contours", f"contours-{kind}", f"{kind}, contours of 20 m, a vertex every 20 m, off by 2 m on the map",
+                   ("--kind", kind, "--sampling", "contours", "--contour-interval", "20", "--along-line", "20"), evaluate=_reach(150), limits=CONTOURS)
+
+
+def _steep():
+    for tilt in (30, 40, 50):
+        for azimuth, where in ((105, "with the fault"), (285, "against it"), (15, "along it")):
+            yield Case("steep", f"steep-{tilt}-{azimuth}", f"tip, horizon dips {tilt}° {where}, picks 43 m apart",
+                       ("--kind", "tip", "--tilt", f"{tilt},{azimuth}", *_along("43", along=43)), limits=_limits(0.25, 0.4, 0.45, 0.9, off_fault=1.5))
+
+
+def _digitised():
+    # Triangles at the given fault cross the true one where the two lie a little apart.
+    limits = (("bridging_triangles", nan), ("surface_to_truth_near", 0.4), ("truth_to_surface_near", 0.45), ("cutoffs_to_border", 2.0),
+              ("throw_error", 2.0), ("border_to_fault_p95", 0.25), ("border_off_fault", nan))
+    for kind in INTERPRETED:
+        yield Case("digitised", f"digitised-{kind}", f"{kind}, sticks every 12.5 m, nodes off by 15 m",
+                   ("--kind", kind, "--stick-spacing", "12.5", "--stick-jitter", "15"), faults="pol", judged_by=("--stick-jitter", "0"), limits=limits)
+    for kind in ("normal", "tip", "branch"):
+        yield Case("digitised", f"digitised-lines-{kind}", f"{kind}, lines 250 m apart, on each a stick whose nodes are off by 10 m",
+                   ("--kind", kind, *_along("250", 90), "--stick-spacing", "250", "--stick-jitter", "10"), faults="pol", judged_by=("--stick-jitter", "0"),
+                   evaluate=_reach(130), limits=limits)
+
+
 def all_cases():
     """Every row in the order of the table."""
-    makers = (_kinds, _throw, _noise, _density, _dip, _near, _short_sticks, _meshes, _interpretation)
+    makers = (_kinds, _throw, _noise, _density, _dip, _near, _short_sticks, _meshes, _interpretation, _lines, _shadow, _holes, _contours, _steep,
+              _digitised)
     return [case for maker in makers for case in maker()]
 
 

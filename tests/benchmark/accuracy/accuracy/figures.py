@@ -23,7 +23,9 @@ FIGURES = (
     Figure("surface_to_truth_near", "to truth, zone", 0.25, True),
     Figure("truth_to_surface_near", "from truth, zone", 0.3, True),
     Figure("cutoffs_to_border", "cutoff lines", 0.6, True),
+    Figure("throw_error", "mean throw off", float("nan"), True),
     Figure("border_to_fault_p95", "border to fault", 0.01, unit=" h"),
+    Figure("border_off_fault", "border off the fault", 5.0, unit=" %"),
     Figure("pieces", "pieces", float("nan")),
     Figure("crumbs", "crumbs", 0),
     Figure("topology_errors", "topology errors", 0),
@@ -68,12 +70,20 @@ class Value:
         return text if self.ok() else f"**{text}**"
 
 
-def read(evaluation, sigma, voxel_size):
-    """The figures of one report of graben_evaluate, by key; a figure it does not have is left out."""
+def limit_of(figure, limits):
+    return dict(limits).get(figure.key, figure.limit)
+
+
+def read(evaluation, sigma, voxel_size, limits=()):
+    """The figures of one report of graben_evaluate, by key; a figure it does not have is left out. Limits: (key, limit) of those that differ here."""
     found = {entry["figure"]: entry for entry in evaluation["figures"]}
     found["topology_errors"] = {"value": sum(found[key]["value"] for key in TOPOLOGY)}
+    seal = evaluation.get("seal_by_truth", {"border_vertices": 0})
+    if seal["border_vertices"] > 0:
+        found["border_off_fault"] = {"value": 100.0 * (1.0 - seal["share"])}
     values = {}
     for figure in FIGURES:
+        limit = limit_of(figure, limits)
         entry = found.get(figure.key)
         if entry is None:
             continue
@@ -81,9 +91,9 @@ def read(evaluation, sigma, voxel_size):
         if figure.key == "pieces":
             values[figure.key] = Value(value, entry.get("limit", float("nan")), "", exact=True)
         elif figure.in_sigma and sigma == 0.0:
-            values[figure.key] = Value(value / voxel_size, NOISELESS * figure.limit, " h")
+            values[figure.key] = Value(value / voxel_size, NOISELESS * limit, " h")
         else:
-            values[figure.key] = Value(value, figure.limit, " σ" if figure.in_sigma else figure.unit)
+            values[figure.key] = Value(value, limit, " σ" if figure.in_sigma else figure.unit)
     return values
 
 

@@ -106,7 +106,7 @@ class Sample:
 
     def evaluate(self, commands, mesh, voxel_size, report):
         arguments = [mesh, "--quiet", "--picks", self.picks, "--truth", self.truth, "--sigma", f"{self.case.sigma:g}",
-                     "--voxel-size", f"{voxel_size:.9g}", "--report", report]
+                     "--voxel-size", f"{voxel_size:.9g}", *self.case.evaluate, "--report", report]
         if self.judging_faults:
             arguments += ["--fault", *self.judging_faults]
         if self.cutoffs:

@@ -5,7 +5,7 @@ from math import hypot
 REACH = 400.0
 
 
-def _lines(path):
+def lines(path):
     """The lines of a .pol file."""
     line = []
     for row in path.read_text().splitlines():
@@ -25,7 +25,7 @@ def across(cutoffs):
     for path in cutoffs:
         if not path.stem.endswith("footwall"):
             continue
-        longest = max(_lines(path), key=len, default=[])
+        longest = max(lines(path), key=len, default=[])
         if len(longest) < 3:
             continue
         n = len(longest)

@@ -80,6 +80,7 @@ Json toJson(const SurfaceEvaluation& e) {
   if (e.truth) {
     j["truth"] = {{"pieces", e.truth_components},
                   {"surface_to_truth", toJson<Json>(e.truth->to_truth)},
+                  {"surface_beyond_truth", e.truth->beyond},
                   {"truth_to_surface", toJson<Json>(e.truth->from_truth)}};
     if (e.truth->from_truth_at_picks) {
       j["truth"]["pick_reach"] = e.pick_reach;

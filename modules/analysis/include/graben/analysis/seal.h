@@ -12,7 +12,7 @@ struct SealOptions {
                            ///< edge and not counted; more than 0
   double tolerance = 0.0;  ///< a border vertex up to this far from its fault lies on it; 0 or more
   /// The true surface, or null. With it only border vertices are counted whose nearest point of the
-  /// truth's border lies on a fault, so that a wide zone does not take in the outer edge.
+  /// truth's border lies on a fault and not beside its end, so that a wide zone does not take in the outer edge.
   const TriangleMesh* truth = nullptr;
   double truth_tolerance = 0.0; ///< the truth's border lies on a fault up to this far from it
   unsigned threads = 0;         ///< 0: one per processor

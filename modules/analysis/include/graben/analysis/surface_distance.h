@@ -15,6 +15,9 @@ struct SurfaceDistanceOptions {
   /// The picks that the mesh was made from, or null; with them the truth is also measured without what no pick is near to.
   const Points* picks = nullptr;
   double pick_reach = 0.0; ///< how far from all picks the truth still counts then; more than 0
+  /// The truth's border lies at a fault up to this far from it. Where it does not, the truth is not known beyond it, and parts of the mesh there are
+  /// not counted; 0: all parts are.
+  double truth_tolerance = 0.0;
 };
 
 /// Distances from one surface to another. The samples are spread evenly over the area, so means and
@@ -27,6 +30,7 @@ struct OneWayDistances {
 
 struct SurfaceDistances {
   OneWayDistances to_truth;   ///< from the mesh to the truth: what is there and should not be
+  double beyond = 0.0;        ///< share of the mesh's area that lies beyond the truth and is not counted
   OneWayDistances from_truth; ///< from the truth to the mesh: what is missing
   std::optional<OneWayDistances> from_truth_at_picks; ///< the same within the picks' reach: without holes in the data
 };
