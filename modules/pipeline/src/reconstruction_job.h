@@ -40,6 +40,7 @@ private:
   void orient();
   void finish();
   void measureSurface();
+  double throwInterval() const;
   void readThrowsOff(const EdgeAdjacency& adjacency);
   void handOutPicks(const std::vector<Index>& pieces);
 
