@@ -2,7 +2,6 @@
 #include "support/progress_display.h"
 #include "support/results_folder.h"
 #include "support/run.h"
-#include "support/takeaways.h"
 
 #include "graben/core/errors.h"
 #include "graben/pipeline/requirements.h"
@@ -22,9 +21,8 @@ OptionParser parser() {
     .value("output", "SURFACE", "the whole faulted horizon; .ply .vtk .vtp .obj .stl or .ts")
     .value("results", "DIR", "folder for all that goes with it: pieces, picks, cut faults, report, pictures")
     .flag("gocad-properties", "write piece, pick_distance and extrapolated into --output .ts too (PVRTX lines, which some readers refuse)")
-    .value("report", "FILE.json", "the report alone");
-  declareUnitOptions(p);
-  p.flag("progress", "say what is being done each second; on a terminal that is done anyway")
+    .value("report", "FILE.json", "the report alone")
+    .flag("progress", "say what is being done each second; on a terminal that is done anyway")
     .flag("quiet", "say nothing but errors")
     .value("require", "FIGURES", "what the surface must reach, by the names of the report's figures: rms<5,seal<0.1,bridges=0,coverage>0.98; "
                                  "exit code 1 if it does not");
@@ -36,6 +34,9 @@ void say(const ReconstructionResult& result) {
   const ReconstructionReport& r = result.report;
   std::printf("picks      %zu (spacing %.4g, rho %.4g, delta %.4g, noise %.3g), z grows %s\n", r.picks, r.sampling.spacing, r.used.rho, r.used.delta,
               r.sampling.sigma, r.used.z_positive.c_str());
+  if (r.layout.along_lines)
+    std::printf("layout     lines about %.3g apart, a pick every %.3g along them, noise %.3g; %.0f %% of the picks\n", r.layout.line_distance, r.layout.along,
+                r.layout.noise, 100.0 * r.layout.share);
   if (r.wrong_side_picks + r.smeared_picks > 0)
     std::printf("set aside  %zu picks on the wrong side of a fault, %zu smeared along one\n", r.wrong_side_picks, r.smeared_picks);
   if (r.measurements > 0)
@@ -101,7 +102,6 @@ int run(const OptionValues& values) {
     throw UsageError("--output SURFACE is missing: where shall the horizon go?");
   const std::vector<Requirement> requirements = readRequirements(values);
   checkOutputs(values);
-  unitNames(values);
   std::optional<ProgressDisplay> display(progressMode(values));
   const ProgressCallback progress = display->callback();
   std::vector<StageTiming> stages;

@@ -19,7 +19,7 @@ constexpr std::size_t MAX_NEIGHBORS = 400;
 /// What is measured about the sampled picks of one block.
 struct Measures {
   std::size_t fit_neighbors = 0;
-  std::vector<double> nearest, empty_radii, steps, plane_variances, quadric_variances;
+  std::vector<double> nearest, empty_radii, steps, reaches, plane_variances, quadric_variances;
   void append(const Measures& other) {
     const auto join = [](std::vector<double>& to, const std::vector<double>& from) {
       to.insert(to.end(), from.begin(), from.end());
@@ -27,6 +27,7 @@ struct Measures {
     join(nearest, other.nearest);
     join(empty_radii, other.empty_radii);
     join(steps, other.steps);
+    join(reaches, other.reaches);
     join(plane_variances, other.plane_variances);
     join(quadric_variances, other.quadric_variances);
   }
@@ -121,6 +122,24 @@ private:
     measures.empty_radii.insert(measures.empty_radii.end(), cell.corner_distances.begin(),
                                 cell.corner_distances.end());
     measures.steps.push_back(cell.longest_step);
+    measures.reaches.push_back(reachAround());
+  }
+
+  /// How far the nearest picks that lie in all directions reach: no gap between their directions is wider than a right angle and a little. No less than
+  /// known_ where there are none.
+  double reachAround() {
+    constexpr double kWidestGap = 100.0 * M_PI / 180.0;
+    angles_.clear();
+    for (const Eigen::Vector2d& q : flat_) {
+      const double angle = std::atan2(q.y(), q.x());
+      angles_.insert(std::upper_bound(angles_.begin(), angles_.end(), angle), angle);
+      double widest = angles_.front() + 2.0 * M_PI - angles_.back();
+      for (std::size_t i = 1; i < angles_.size(); ++i)
+        widest = std::max(widest, angles_[i] - angles_[i - 1]);
+      if (widest <= kWidestGap)
+        return q.norm();
+    }
+    return known_;
   }
 
   const NeighborGrid& grid_;
@@ -129,7 +148,8 @@ private:
   double known_ = 0.0; ///< all points closer than this are in found_
   std::vector<Neighbor> found_;
   std::vector<Index> indices_;
-  std::vector<Eigen::Vector2d> flat_;
+  std::vector<Eigen::Vector2d> flat_; ///< nearest first
+  std::vector<double> angles_;
 };
 
 Index sampledPick(const NeighborGrid& grid, std::size_t i, std::size_t count) {
@@ -220,11 +240,12 @@ void requireSurface(const NeighborGrid& grid) {
 Sampling estimateSampling(const NeighborGrid& grid, unsigned threads) {
   requireSurface(grid);
   Measures measures = measureAll(grid, threads);
-  constexpr double STEP_MARGIN = 1.2, LARGEST_NOISE = 3.0;
+  constexpr double STEP_MARGIN = 1.2, LARGEST_NOISE = 3.0, REACH_SHARE = 0.6;
   Sampling sampling;
   sampling.spacing = quantile(measures.nearest, 0.5);
   sampling.rho =
       std::max({STEP_MARGIN * quantile(measures.steps, 0.5), STEP_MARGIN * sampling.spacing,
+                REACH_SHARE * quantile(measures.reaches, 0.5),
                 largestEmptyRadius(measures.empty_radii, grid.size())});
   const auto used = static_cast<double>(measures.fit_neighbors);
   sampling.delta = LARGEST_NOISE * robustDeviation(measures.plane_variances, used - 3.0);

@@ -8,7 +8,6 @@
 #include "graben/core/errors.h"
 #include "graben/core/memory.h"
 #include "graben/core/threads.h"
-#include "graben/core/ticks.h"
 #include "graben/features/mean_distance.h"
 #include "graben/features/orientation.h"
 #include "graben/filters/wrong_side_picks.h"
@@ -40,7 +39,10 @@ std::size_t neighborsFor(const Sampling& sampling, double delta, double mean_dis
   return static_cast<std::size_t>(std::lround(std::clamp(wanted, fewest, most)));
 }
 
-constexpr double kLeastPolygon = 0.25; // voxels squared: what is smaller is noise of a steep fault
+constexpr std::size_t kNeighborsOfLines = 30; // reach the next lines: those of one line alone have no plane
+constexpr double kVoxelOfLines = 0.25; // line distances
+constexpr double kRhoOfLines = 0.75;   // line distances
+
 constexpr double kMeasurementReach = 2.0; // rho + delta: farther than this from all picks a measurement is not of this horizon
 
 // Measured with a million picks, and with a million vertices on a tenth of them.
@@ -62,10 +64,12 @@ void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faul
   checkMemory(picks, dips.size());
   begin("neighbours");
   toLocalFrame(std::move(picks), dips);
+  seeHowPicksLie();
   prepareParameters();
   checkMeasurements();
   begin("faults");
   buildFaults(faults);
+  balance();
   begin("wrong-side picks");
   setWrongSidePicksAside();
   begin("normals");
@@ -116,6 +120,34 @@ void ReconstructionJob::toLocalFrame(Points picks, const std::vector<DipMeasurem
   result_.report.picks_not_finite = picks_.points.size() - grid_.size();
 }
 
+/// Picks along lines give way to a balanced cloud, for all stages up to the last.
+void ReconstructionJob::seeHowPicksLie() {
+  PickLayout layout = pickLayout(grid_, options_.threads);
+  if (!layout.along_lines)
+    return;
+  PickLayoutReport& report = result_.report.layout;
+  report.along_lines = true;
+  report.along = layout.along;
+  report.line_distance = layout.line_distance;
+  report.share = layout.share;
+  given_.emplace();
+  given_->layout = std::move(layout);
+  given_->picks = std::move(picks_);
+  given_->grid = NeighborGrid(given_->picks.points, 0.0, options_.threads);
+  balance();
+  report.noise = noiseAlongLines(given_->picks.points, given_->point_of, picks_.points.size());
+}
+
+/// The cloud to work on, anew where faults are known that no point may reach across.
+void ReconstructionJob::balance() {
+  if (!given_ || (faults_.empty() && !picks_.points.empty()))
+    return;
+  picks_ = given_->balanced(faults_, options_.threads);
+  grid_ = NeighborGrid(picks_.points, std::exchange(picks_.keys, nullptr), options_.threads);
+  if (!faults_.empty())
+    zone_ = zonePicks(picks_.points, faults_, result_.report.used.zone_width, options_.threads);
+}
+
 void ReconstructionJob::checkMeasurements() {
   if (picks_.measured.empty())
     return;
@@ -130,18 +162,27 @@ void ReconstructionJob::checkMeasurements() {
   grid_ = grid_.withoutThoseTakenOut(options_.threads);
 }
 
+/// The mean distance of the picks; along lines that of the points that stand for them.
+double ReconstructionJob::usualVoxelSize() const {
+  return given_ ? std::min(mean_distance_, kVoxelOfLines * given_->layout.line_distance) : mean_distance_;
+}
+
 void ReconstructionJob::prepareParameters() {
   ReconstructionReport& report = result_.report;
   report.sampling = estimateSampling(grid_, options_.threads);
+  if (given_) // lines may lie up to half as far apart again as they do on the mean, and cells between crossing lines are as wide at their corners
+    report.sampling.rho = std::max(report.sampling.rho, kRhoOfLines * given_->layout.farthest_lines);
   UsedParameters& used = report.used;
   used.rho = options_.rho > 0.0 ? options_.rho : report.sampling.rho;
   used.delta = options_.delta > 0.0 ? options_.delta : report.sampling.delta;
   mean_distance_ = meanPickDistance(grid_, options_.threads);
-  used.voxel_size = options_.voxel_size > 0.0 ? options_.voxel_size : mean_distance_;
+  used.voxel_size = options_.voxel_size > 0.0 ? options_.voxel_size : usualVoxelSize();
   used.zone_width = options_.zone_width > 0.0 ? options_.zone_width : 5.0 * used.voxel_size;
   used.fault_reach = options_.fault_reach > 0.0 ? options_.fault_reach : std::max(6.0 * mean_distance_, 2.0 * rhoPlusDelta());
   used.flip_angle = options_.flip_angle;
   used.neighbors = options_.neighbors > 0 ? options_.neighbors : neighborsFor(report.sampling, used.delta, mean_distance_, used.voxel_size);
+  if (given_ && options_.neighbors == 0)
+    used.neighbors = std::max(used.neighbors, kNeighborsOfLines);
   used.origin = result_.frame.origin;
   used.z_scale = options_.z_scale;
   used.fit = options_.fit == FitMode::Full ? "full" : options_.fit == FitMode::Normal ? "normal" : "off";
@@ -205,41 +246,35 @@ void ReconstructionJob::orient() {
   orientNormals(grid_, faultsUnless(options_.skip.neighbors), o, planes_.normals);
 }
 
-/// A round number of about four voxels, unless asked for.
-double ReconstructionJob::throwInterval() const {
-  return options_.throw_interval > 0.0 ? options_.throw_interval : roundDown125(4.0 * result_.report.used.voxel_size);
-}
-
 void ReconstructionJob::readThrowsOff(const EdgeAdjacency& adjacency) {
   const LocalFrame& frame = result_.frame;
   result_.cutoffs = cutoffLines(cut_.mesh, cut_.vertex_faults, adjacency, &faults_, options_.threads);
   result_.throws = readThrows(result_.cutoffs, faults_);
-  FaultPolygonOptions polygons;
-  polygons.least_area = kLeastPolygon * std::pow(result_.report.used.voxel_size, 2);
-  result_.polygons = faultPolygons(result_.throws, polygons);
-  for (FaultPolygon& polygon : result_.polygons) {
-    FaultReport& fault = result_.report.faults[static_cast<std::size_t>(polygon.fault)];
-    (polygon.overlap ? fault.overlap_area : fault.gap_area) += polygon.area;
-    for (Vector3& p : polygon.ring)
-      p = frame.toUser(p);
-  }
   for (CutoffLine& line : result_.cutoffs)
     for (Vector3& p : line.points)
       p = frame.toUser(p);
-  const auto toUser = [&frame](auto& row) {
-    row.footwall = frame.toUser(row.footwall);
-    row.hanging_wall = frame.toUser(row.hanging_wall);
-    row.throw_ /= frame.z_scale;
-  };
   for (std::size_t f = 0; f < faults_.size(); ++f) {
-    FaultProfile profile = faultProfile(result_.throws[f], f, faults_, throwInterval());
-    std::for_each(result_.throws[f].begin(), result_.throws[f].end(), toUser);
-    std::for_each(profile.rows.begin(), profile.rows.end(), toUser);
-    result_.report.faults[f].throw_length_ratio = profile.ratio;
-    result_.report.faults[f].tips = (profile.tip_at_start ? 1 : 0) + (profile.tip_at_end ? 1 : 0);
-    result_.profiles.push_back(std::move(profile));
+    for (ThrowSample& sample : result_.throws[f]) {
+      sample.footwall = frame.toUser(sample.footwall);
+      sample.hanging_wall = frame.toUser(sample.hanging_wall);
+      sample.throw_ /= frame.z_scale;
+    }
     result_.report.faults[f].throw_ = summarize(result_.throws[f]);
   }
+}
+
+/// What was found for the points of the balanced cloud goes to the picks they stand for, which are measured against the surface.
+void ReconstructionJob::bringBackGivenPicks() {
+  if (!given_)
+    return;
+  reasons_ = ofEachPick(*given_, reasons_, PickReason::Good);
+  result_.report.wrong_side_picks = static_cast<std::size_t>(std::count(reasons_.begin(), reasons_.end(), PickReason::WrongSide));
+  result_.report.smeared_picks = static_cast<std::size_t>(std::count(reasons_.begin(), reasons_.end(), PickReason::Smeared));
+  if (!normals_.empty())
+    normals_ = ofEachPick(*given_, normals_, Vector3(Vector3::Constant(std::numeric_limits<double>::quiet_NaN())));
+  picks_ = std::move(given_->picks);
+  given_.reset();
+  zone_ = zonePicks(picks_.points, faults_, result_.report.used.zone_width, options_.threads);
 }
 
 void ReconstructionJob::handOutPicks(const std::vector<Index>& pieces) {
@@ -282,6 +317,7 @@ void ReconstructionJob::measureSurface() {
   grid_ = NeighborGrid();
   for (const auto& [pick, place] : aside_)
     picks_.points[static_cast<std::size_t>(pick)] = place;
+  bringBackGivenPicks();
   const MeshConnections connections(cut_.mesh, std::move(*corners_), options_.threads);
   corners_.reset();
   evaluate({cut_, connections, components, faults_, bridges_}, options_.threads, result_.report);

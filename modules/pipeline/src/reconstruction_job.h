@@ -3,6 +3,7 @@
 #include "graben/pipeline/horizon_reconstruction.h"
 #include "graben/pipeline/stage_clock.h"
 
+#include "given_picks.h"
 #include "ordered_picks.h"
 
 #include "graben/features/neighbor_grid.h"
@@ -31,6 +32,9 @@ private:
 
   // From picks to planes (reconstruction_job.cpp)
   void toLocalFrame(Points picks, const std::vector<DipMeasurement>& dips);
+  void seeHowPicksLie();
+  void balance();
+  double usualVoxelSize() const;
   void prepareParameters();
   void checkMeasurements();
   void checkMemory(const Points& picks, std::size_t dips);
@@ -40,8 +44,8 @@ private:
   void orient();
   void finish();
   void measureSurface();
-  double throwInterval() const;
   void readThrowsOff(const EdgeAdjacency& adjacency);
+  void bringBackGivenPicks();
   void handOutPicks(const std::vector<Index>& pieces);
 
   // From planes to the surface (surface_stages.cpp)
@@ -52,6 +56,7 @@ private:
   void tidy();
   std::size_t smallestPiece() const;
   SignedDistanceOptions distanceOptions() const;
+  Points zonePoints() const;
   Vector3 latticeOrigin() const;
 
   double rhoPlusDelta() const { return result_.report.used.rho + result_.report.used.delta; }
@@ -61,7 +66,8 @@ private:
   const ReconstructionOptions& options_;
   ReconstructionResult& result_;
   StageClock clock_;
-  OrderedPicks picks_;
+  OrderedPicks picks_;              ///< that the stages work on
+  std::optional<GivenPicks> given_; ///< where these lie along lines: then the above are balanced
   std::vector<PickReason> reasons_;              ///< of each of them
   std::vector<std::pair<Index, Vector3>> aside_; ///< those set aside
   double mean_distance_ = 0.0;

@@ -12,6 +12,12 @@ using Json = nlohmann::ordered_json;
 
 Json json(const Sampling& s) { return {{"spacing", s.spacing}, {"rho", s.rho}, {"delta", s.delta}, {"sigma", s.sigma}}; }
 
+Json json(const PickLayoutReport& l) {
+  if (!l.along_lines)
+    return {{"picks_lie", "dense"}};
+  return {{"picks_lie", "along lines"}, {"along", l.along}, {"line_distance", l.line_distance}, {"share", l.share}, {"noise", l.noise}};
+}
+
 Json json(const Vector3& p) { return Json::array({p.x(), p.y(), p.z()}); }
 
 Json json(const UsedParameters& u) {
@@ -53,10 +59,6 @@ Json json(const FaultReport& f, const FaultSeal* seal) {
     j["branch_gap"] = f.branch_gap;
   }
   j["throw"] = json(f.throw_);
-  j["throw"]["throw_length_ratio"] = f.throw_length_ratio;
-  j["throw"]["tips"] = f.tips;
-  j["gap_area"] = f.gap_area;
-  j["overlap_area"] = f.overlap_area;
   if (seal != nullptr)
     j["seal"] = toJson<Json>(*seal);
   return j;
@@ -93,6 +95,7 @@ Json reportTree(const ReconstructionReport& r, bool with_timings) {
   j["figures"] = figures(r);
   j["picks"] = {{"count", r.picks}, {"not_finite", r.picks_not_finite}, {"wrong_side", r.wrong_side_picks}, {"smeared", r.smeared_picks}};
   j["dip_measurements"] = {{"count", r.measurements}, {"not_usable", r.measurements_not_usable}, {"set_aside", r.measurements_set_aside}};
+  j["layout"] = json(r.layout);
   j["sampling"] = json(r.sampling);
   j["parameters"] = json(r.used);
   j["faults"] = Json::array();

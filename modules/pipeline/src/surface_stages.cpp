@@ -17,23 +17,29 @@ namespace graben {
 
 namespace {
 
+constexpr double kWidestGapOfLines = 175.0; // degrees; between the ends of lines the surface goes up to the straight line from end to end
+constexpr double kOverhangOfLines = 0.25; // line distances
 constexpr double kBesideFaults = 3.0; // voxels; where the zone fit is wanted before the local fit, which goes on from it
 
-/// The picks in the zone, before those set aside are back among the points.
-Points zonePoints(const Points& points, const std::vector<Index>& zone, const std::vector<std::pair<Index, Vector3>>& aside) {
+} // namespace
+
+/// The picks in the zone, those set aside too; of picks along lines all that were given.
+Points ReconstructionJob::zonePoints() const {
+  const std::vector<Index> of_given =
+    given_ ? zonePicks(given_->picks.points, faults_, result_.report.used.zone_width, options_.threads) : std::vector<Index>();
+  const Points& points = given_ ? given_->picks.points : picks_.points;
+  const std::vector<Index>& zone = given_ ? of_given : zone_;
   Points zone_points;
   zone_points.reserve(zone.size());
-  auto next = aside.begin();
+  auto next = aside_.begin();
   for (const Index pick : zone) {
-    while (next != aside.end() && next->first < pick)
+    while (!given_ && next != aside_.end() && next->first < pick)
       ++next;
-    const bool is_aside = next != aside.end() && next->first == pick;
+    const bool is_aside = !given_ && next != aside_.end() && next->first == pick;
     zone_points.push_back(is_aside ? next->second : points[static_cast<std::size_t>(pick)]);
   }
   return zone_points;
 }
-
-} // namespace
 
 SignedDistanceOptions ReconstructionJob::distanceOptions() const {
   const UsedParameters& used = result_.report.used;
@@ -42,6 +48,8 @@ SignedDistanceOptions ReconstructionJob::distanceOptions() const {
   o.overhang = surface_defaults::kFieldReach * used.voxel_size; // trimmed afterwards
   o.fault_reach = used.fault_reach;
   o.voxel_size = used.voxel_size;
+  if (given_)
+    o.widest_gap = kWidestGapOfLines;
   o.blend = options_.smooth ? surface_defaults::kBlend : 1;
   return o;
 }
@@ -61,6 +69,8 @@ SheetMesh ReconstructionJob::extract() {
   if (!options_.skip.trim) {
     DataBorderOptions border;
     border.overhang = surface_defaults::kOverhang * h;
+    if (given_)
+      border.overhang = std::clamp(kOverhangOfLines * given_->layout.line_distance, border.overhang, h);
     border.threads = options_.threads;
     trimToData(sheets, field, border);
   }
@@ -96,7 +106,7 @@ std::size_t ReconstructionJob::smallestPiece() const {
 
 void ReconstructionJob::fit() {
   const UsedParameters& used = result_.report.used;
-  result_.report.zone_before_fit = approximationError(cut_.mesh, zonePoints(picks_.points, zone_, aside_), options_.threads);
+  result_.report.zone_before_fit = approximationError(cut_.mesh, zonePoints(), options_.threads);
   if (options_.fit == FitMode::Off)
     return;
   ZoneFitOptions zone;

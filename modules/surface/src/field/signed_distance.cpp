@@ -14,8 +14,7 @@ namespace graben {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
-constexpr double kWidestGap = 150.0 * kDegree;        // between the directions to the picks around a place inside the data
-constexpr double kWidestGapAtFault = 100.0 * kDegree; // the same where faults close the ring
+constexpr double kWidestGapAtFault = 100.0 * kDegree; // between the directions to the picks around a place inside the data where faults close the ring
 constexpr double kFewOfOwnSide = 0.2;                 // of the picks around, on both sides of the faults
 constexpr std::size_t kEnclosingPicks = 24;
 constexpr int kRays = 16;
@@ -125,7 +124,7 @@ bool SignedDistance::surrounded(const Vector3& foot, const Vector3& normal, Scra
   DirectionsAround directions(normal);
   for (std::size_t i = 0; i < picks.count; ++i)
     directions.add({picks.dx[i], picks.dy[i], picks.dz[i]});
-  return directions.gapsBelow(kWidestGap);
+  return directions.gapsBelow(options_.widest_gap * kDegree);
 }
 
 bool SignedDistance::enclosed(const Vector3& place, const Vector3& normal, Scratch& scratch) const {

@@ -22,7 +22,8 @@ struct Sampling {
 /// rho comes from the largest empty circles between the picks (corners of their Voronoi cells in
 /// the tangent plane), continued to the largest to be expected in a random cloud of that size, and
 /// is at least 1.2 steps from pick to pick: 1.2 spacings on a regular square grid, about 2.5 mean
-/// spacings in a random cloud of a million. Holes more than two rho wide stay open. Medians and an
+/// spacings in a random cloud of a million; where picks are farther from each other in one direction than in others,
+/// as on every few lines of a grid, it is at least 0.6 of how far picks in all directions are. Holes more than two rho wide stay open. Medians and an
 /// 80 % quantile are used throughout, so that picks at faults, holes and borders do not count as
 /// long as they are the smaller part. O(n); the same result for any number of threads. \param[in]
 /// threads 0: one per processor \throw InvalidInputError if fewer than three distinct points exist

@@ -44,10 +44,6 @@ struct FaultReport {
   std::string branches_off;       ///< name of the fault it ends at, or empty
   double branch_gap = 0.0;        ///< largest distance it was extended over to reach that fault
   ThrowSummary throw_;            ///< throws in the picks' z units, lengths in x, y units
-  double throw_length_ratio = 0.0; ///< D / L, see FaultProfile::ratio
-  std::size_t tips = 0;           ///< ends of its trace at which the throw falls to 0
-  double gap_area = 0.0;          ///< of its fault polygons in the map, x, y units squared
-  double overlap_area = 0.0;      ///< the same where the horizon lies over itself
 };
 
 /// How much of the surface lies beyond the data: farther than rho + delta from the nearest pick of its own side.
@@ -61,6 +57,15 @@ struct Extrapolation {
 /// Of the report as JSON: rises when a key goes or changes its meaning.
 constexpr int kReportSchemaVersion = 1;
 
+/// How the picks were found to lie, in x, y units.
+struct PickLayoutReport {
+  bool along_lines = false;   ///< false: dense in all directions, and the rest is 0
+  double along = 0.0;         ///< from pick to pick along the lines
+  double line_distance = 0.0; ///< from line to line, as a rule
+  double share = 0.0;         ///< of the picks that lie on lines
+  double noise = 0.0;         ///< standard deviation of the picks about their line
+};
+
 /// What a reconstruction says of itself.
 struct ReconstructionReport {
   std::size_t picks = 0;
@@ -70,7 +75,8 @@ struct ReconstructionReport {
   std::size_t measurements = 0;            ///< dip measurements given
   std::size_t measurements_not_usable = 0; ///< of these left out: not finite, or far from all picks
   std::size_t measurements_set_aside = 0;  ///< of these set aside as picks are; they count there too
-  Sampling sampling;
+  PickLayoutReport layout;
+  Sampling sampling;                     ///< of the picks or, where they lie along lines, of the balanced cloud that stands for them
   UsedParameters used;
   std::vector<FaultReport> faults;
   std::size_t cells = 0;
@@ -91,8 +97,7 @@ struct ReconstructionReport {
   std::vector<std::string> warnings;     ///< sentences for the user
 };
 
-/// The report as JSON, with a fixed order of keys, which config/documentation/report.md explains. Timings and memory are left out if \a with_timings is
-/// false, so that two runs compare equal.
+/// The report as JSON, with a fixed order of keys, which config/documentation/report.md explains. Timings and memory are left out if \a with_timings is false, so that two runs compare equal.
 std::string toJson(const ReconstructionReport& report, bool with_timings = true);
 
 } // namespace graben

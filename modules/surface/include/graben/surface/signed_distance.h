@@ -22,6 +22,7 @@ struct SignedDistanceOptions {
   double fault_reach = 0.0;    ///< farthest the field is carried from the last pick towards a fault, inside the outline of the picks of both sides
                                ///< or, where one side has none, where picks and faults close a ring; 0: no farther than elsewhere
   double voxel_size = 1.0;     ///< h: values are asked for within one cell's diagonal of the surface
+  double widest_gap = 150.0;   ///< degrees between the directions to the picks around a place that is inside the data
   std::size_t blend = 1;       ///< planes a value is averaged over; 1: Hoppe's nearest plane alone
 };
 

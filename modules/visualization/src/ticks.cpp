@@ -1,4 +1,4 @@
-#include "graben/core/ticks.h"
+#include "ticks.h"
 
 #include <algorithm>
 #include <cmath>
