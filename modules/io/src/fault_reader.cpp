@@ -14,7 +14,7 @@ std::vector<FaultInput> faultsFromMeshes(std::vector<MeshInput> meshes, const st
   std::vector<FaultInput> faults;
   for (MeshInput& m : meshes)
     faults.push_back(
-        {std::move(m.name), std::move(m.mesh), m.z_positive, path, std::move(m.notes)});
+        {std::move(m.name), std::move(m.mesh), m.z_positive, path, std::move(m.notes), std::move(m.warnings)});
   return faults;
 }
 
@@ -34,6 +34,8 @@ std::vector<FaultInput> readFaults(const std::string& path) {
     return readCps3Faults(textOf(content, path, storage), path);
   case FileFormat::Gocad:
     return readGocadFaults(textOf(content, path, storage), path);
+  case FileFormat::Grid:
+    throw ParseError(path, 0, "is a grid, not a fault (a surface or sticks)");
   case FileFormat::Pcd:
     throw ParseError(path, 0, "is a PCD point cloud, not a fault (a surface or sticks)");
   default:

@@ -1,5 +1,6 @@
 #include "file_format.h"
 
+#include "grid_picks.h"
 #include "line_reader.h"
 #include "numbers.h"
 
@@ -58,8 +59,12 @@ FileFormat formatOf(std::string_view bytes, const std::string& path) {
     return FileFormat::VtkXml;
   if (startsWith(first, "GOCAD "))
     return FileFormat::Gocad;
-  if (startsWith(toLower(first.substr(0, 6)), "inline") && first.size() > 20)
+  if (startsWith(toLower(first.substr(0, 6)), "inline") && first.size() > 20 && first.find_first_of("0123456789") != std::string_view::npos)
     return FileFormat::Charisma;
+  if (startsWith(first, "PROFILE ") || startsWith(first, "EOD"))
+    return FileFormat::Iesx;
+  if (gridKindOf(bytes) != GridKind::None)
+    return FileFormat::Grid;
   if (startsWith(first, "FFASCI") || startsWith(first, "->"))
     return FileFormat::Cps3;
   if (isBinaryStl(bytes) || (startsWith(first, "solid") && extension != ".obj"))
@@ -92,6 +97,10 @@ std::string describe(FileFormat format) {
     return "an OBJ mesh";
   case FileFormat::Charisma:
     return "a Charisma INLINE file";
+  case FileFormat::Iesx:
+    return "an IESX file";
+  case FileFormat::Grid:
+    return "a grid";
   case FileFormat::Cps3:
     return "a CPS-3 lines file";
   case FileFormat::Text:

@@ -8,7 +8,7 @@
 namespace graben {
 
 /// What a file is, by its content and, where that leaves doubt, its extension.
-enum class FileFormat { Text, Pcd, Ply, Gocad, VtkLegacy, VtkXml, Stl, Obj, Charisma, Cps3 };
+enum class FileFormat { Text, Pcd, Ply, Gocad, VtkLegacy, VtkXml, Stl, Obj, Charisma, Cps3, Iesx, Grid };
 
 /// The format of a file; Text where nothing else is recognised.
 FileFormat formatOf(std::string_view bytes, const std::string& path);

@@ -3,6 +3,7 @@
 #include "file_content.h"
 #include "gocad_objects.h"
 #include "mesh_formats.h"
+#include "pick_columns.h"
 #include "pick_formats.h"
 
 #include "graben/core/errors.h"
@@ -30,6 +31,12 @@ std::vector<std::string> notesOn(const GocadObject& object, bool properties_used
   if (object.has_other_properties || (!properties_used && !object.properties.empty()))
     notes.push_back("vertex properties ignored");
   return notes;
+}
+
+std::vector<std::string> warningsOn(const GocadObject& object, const std::string& path) {
+  if (object.ended)
+    return {};
+  return {path + ": the object" + (object.name.empty() ? "" : " " + object.name) + " has no END; the file may be cut short"};
 }
 
 /// The property piece becomes the label, the others scalars.
@@ -92,7 +99,7 @@ std::vector<MeshInput> readGocadMeshes(std::string_view text, const std::string&
   std::vector<MeshInput> meshes;
   for (GocadObject& object : objects)
     if (object.isSurface() && !object.triangles.empty()) {
-      meshes.push_back({nameOf(object, path), meshOf(object), object.z_positive, notesOn(object, true)});
+      meshes.push_back({nameOf(object, path), meshOf(object), object.z_positive, notesOn(object, true), warningsOn(object, path)});
       takeProperties(object, meshes.back().mesh);
     }
   if (meshes.empty())
@@ -104,7 +111,7 @@ std::vector<FaultInput> readGocadFaults(std::string_view text, const std::string
   std::vector<GocadObject> objects = readGocadObjects(text, path);
   std::vector<FaultInput> faults;
   for (GocadObject& object : objects) {
-    FaultInput fault{nameOf(object, path), {}, object.z_positive, path, notesOn(object)};
+    FaultInput fault{nameOf(object, path), {}, object.z_positive, path, notesOn(object), warningsOn(object, path)};
     if (object.isSurface() && !object.triangles.empty()) {
       fault.geometry = meshOf(object);
     } else if (object.isLines()) {
@@ -124,24 +131,38 @@ std::vector<FaultInput> readGocadFaults(std::string_view text, const std::string
   return faults;
 }
 
-PickSet readGocadPicks(std::string_view text, const std::string& path) {
-  const std::vector<GocadObject> objects = readGocadObjects(text, path);
+PickSet readGocadPicks(std::string_view text, const PickFile& file) {
+  const std::vector<GocadObject> objects = readGocadObjects(text, file.path);
+  std::vector<std::string> names;
+  for (const GocadObject& object : objects)
+    if (object.isPoints() && std::find(names.begin(), names.end(), object.name) == names.end())
+      names.push_back(object.name);
+  if (names.empty())
+    throw ParseError(file.path, 0, "holds no VSet (found: " + typesOf(objects) + ")");
+  if (file.options.horizon.empty() && names.size() > 1)
+    throw ParseError(file.path, 0, severalHorizons(names));
+  if (!file.options.horizon.empty())
+    requireHorizon(names, file);
   PickSet picks;
+  picks.horizon = file.options.horizon.empty() ? names.front() : file.options.horizon;
+  picks.layout = "VSet";
   bool first = true;
   for (const GocadObject& object : objects) {
-    if (!object.isPoints())
+    if (!object.isPoints() || object.name != picks.horizon)
       continue;
     if (!first && object.z_positive != picks.z_positive)
-      throw ParseError(path, object.line,
-                       "this VSet has another ZPOSITIVE than the one before; split the file");
+      throw ParseError(file.path, object.line, "this VSet has another ZPOSITIVE than the one before; split the file");
     picks.z_positive = object.z_positive;
+    picks.xy_unit = object.xy_unit;
+    picks.z_unit = object.z_unit;
     first = false;
     picks.points.insert(picks.points.end(), object.vertices.begin(), object.vertices.end());
     for (std::string& note : notesOn(object))
       picks.notes.push_back(std::move(note));
+    for (std::string& warning : warningsOn(object, file.path))
+      picks.warnings.push_back(std::move(warning));
   }
-  if (first)
-    throw ParseError(path, 0, "holds no VSet (found: " + typesOf(objects) + ")");
+  picks.z_reason = picks.z_positive == ZPositive::Unknown ? "" : "ZPOSITIVE in the file";
   return picks;
 }
 

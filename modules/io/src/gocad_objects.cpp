@@ -1,5 +1,6 @@
 #include "gocad_objects.h"
 
+#include "column_names.h"
 #include "line_reader.h"
 #include "numbers.h"
 
@@ -233,11 +234,15 @@ void GocadParser::parseLine() {
   if (key == "GOCAD") {
     begin();
   } else if (key == "END") {
+    object_.ended = true;
     finish();
   } else if (!open_) {
     fail("not part of a GOCAD object: '" + std::string(line_.substr(0, 60)) + "'");
   } else if (key.substr(0, 6) == "HEADER") {
     parseHeader();
+  } else if (key == "AXIS_UNIT" && words_.size() > 3) {
+    object_.xy_unit = unitOf(words_[1]);
+    object_.z_unit = unitOf(words_[3]);
   } else if (key == "ZPOSITIVE") {
     const std::string sense = words_.size() > 1 ? toLower(words_[1]) : std::string();
     if (sense != "depth" && sense != "elevation")

@@ -20,7 +20,9 @@ struct GocadObject {
   std::string type; ///< as written: TSurf, PLine, VSet, ...
   std::string name; ///< empty if the header has none
   ZPositive z_positive = ZPositive::Unknown;
-  std::size_t line = 0; ///< of its first line
+  std::string xy_unit, z_unit; ///< as AXIS_UNIT has them; empty if there is none
+  std::size_t line = 0;        ///< of its first line
+  bool ended = false;          ///< by END
   Points vertices;      ///< ATOMs repeat the vertex they refer to
   std::vector<Triangle> triangles;
   std::vector<std::size_t> face_starts;  ///< first triangle of each TFACE

@@ -142,12 +142,14 @@ private:
       header_.point_size += field.size * field.count;
       column += field.count;
     }
-    if (!header_.points) {
-      if (header_.width != 0 &&
-          header_.height > std::numeric_limits<std::uint64_t>::max() / header_.width)
-        fail("an impossible WIDTH and HEIGHT");
-      header_.points = header_.width * header_.height;
-    }
+    if (header_.width != 0 && header_.height > std::numeric_limits<std::uint64_t>::max() / header_.width)
+      fail("an impossible WIDTH and HEIGHT");
+    const std::uint64_t in_rows = header_.width * header_.height;
+    if (!header_.points)
+      header_.points = in_rows;
+    else if (header_.width != 0 && *header_.points != in_rows)
+      fail("the PCD header contradicts itself: WIDTH " + std::to_string(header_.width) + " x HEIGHT " + std::to_string(header_.height) +
+           " are not the " + std::to_string(*header_.points) + " POINTS");
     for (const std::string_view name : {"x", "y", "z"})
       if (header_.find(name) == nullptr || header_.find(name)->count != 1)
         fail("the PCD file has no field " + std::string(name));
@@ -177,6 +179,12 @@ std::vector<const PcdField*> wantedFields(const PcdHeader& header) {
                        " points, it holds " + std::to_string(held));
 }
 
+[[noreturn]] void failLong(const std::string& path, std::uint64_t promised, std::uint64_t held) {
+  throw ParseError(path, 0,
+                   "the header promises " + std::to_string(promised) + " POINTS but the file holds " + std::to_string(held) +
+                       "; correct POINTS, WIDTH and HEIGHT");
+}
+
 BinaryType typeOf(const PcdField& field, const std::string& path) {
   static const std::map<std::pair<char, std::size_t>, BinaryType> types = {
       {{'F', 4}, BinaryType::Float32}, {{'F', 8}, BinaryType::Float64}, {{'I', 1}, BinaryType::Int8},
@@ -201,6 +209,9 @@ void readBinary(std::string_view body, const PcdHeader& header, const PickFile& 
   const std::uint64_t held = body.size() / header.point_size;
   if (*header.points > held)
     failShort(file.path, *header.points, held);
+  const std::string_view behind = body.substr(*header.points * header.point_size); // PCL fills up with zeros
+  if (*header.points < held && behind.find_first_not_of('\0') != std::string_view::npos)
+    failLong(file.path, *header.points, held);
   std::vector<BinaryColumn> columns;
   for (const PcdField* field : wantedFields(header))
     columns.push_back({body.data() + field->offset, header.point_size, typeOf(*field, file.path)});
@@ -249,7 +260,8 @@ Table<K> readAscii(std::string_view body, const PcdHeader& header, const PickFil
                      "this row does not hold the fields the header names");
   if (table.rows.size() < *header.points)
     failShort(path, *header.points, table.rows.size());
-  table.rows.resize(*header.points);
+  if (table.rows.size() > *header.points)
+    failLong(path, *header.points, table.rows.size());
   return table;
 }
 

@@ -22,7 +22,9 @@ struct PickFile {
 PickSet readTextPicks(std::string_view text, const PickFile& file);
 PickSet readPcdPicks(const PickFile& file);
 PickSet readPlyPicks(const PickFile& file);
-PickSet readGocadPicks(std::string_view text, const std::string& path);
+PickSet readGocadPicks(std::string_view text, const PickFile& file);
+PickSet readIesxPicks(std::string_view text, const PickFile& file);
+PickSet readCharismaPicks(std::string_view text, const PickFile& file);
 
 /// \throw ParseError if the horizon asked for is not among those a file holds
 void requireHorizon(const std::vector<std::string>& names, const PickFile& file);

@@ -2,6 +2,7 @@
 
 #include "file_content.h"
 #include "file_format.h"
+#include "grid_picks.h"
 #include "no_data.h"
 #include "pick_formats.h"
 
@@ -24,11 +25,17 @@ PickSet readRows(const PickFile& file, FileFormat format) {
   case FileFormat::Ply:
     return readPlyPicks(file);
   case FileFormat::Gocad:
-    return readGocadPicks(textOf(file.content, file.path, storage), file.path);
+    return readGocadPicks(textOf(file.content, file.path, storage), file);
+  case FileFormat::Iesx:
+    return readIesxPicks(textOf(file.content, file.path, storage), file);
+  case FileFormat::Charisma:
+    return readCharismaPicks(textOf(file.content, file.path, storage), file);
+  case FileFormat::Grid:
+    return readGridPicks(file);
   default:
     throw ParseError(file.path, 0,
                      "is " + describe(format) +
-                         ", not a set of picks (text x y z, PCD, PLY, GOCAD VSet)");
+                         ", not a set of picks (text x y z, grids, PCD, PLY, GOCAD VSet)");
   }
 }
 

@@ -16,6 +16,7 @@ struct FaultInput {
   ZPositive z_positive = ZPositive::Unknown; ///< what the file says
   std::string source;                        ///< path of the file
   std::vector<std::string> notes; ///< sentences for the user: what was ignored, dropped or assumed
+  std::vector<std::string> warnings = {}; ///< sentences for the user: what is probably not as it was meant
 };
 
 /// Reads the faults of a file, in file order; at least one.

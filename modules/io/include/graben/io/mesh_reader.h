@@ -13,6 +13,7 @@ struct MeshInput {
   TriangleMesh mesh;
   ZPositive z_positive = ZPositive::Unknown; ///< what the file says
   std::vector<std::string> notes; ///< sentences for the user: what was ignored, dropped or assumed
+  std::vector<std::string> warnings = {}; ///< sentences for the user: what is probably not as it was meant
 };
 
 /// Reads the triangle meshes of a .ply, .vtk, .vtp, .obj, .stl or .ts file; content decides over
