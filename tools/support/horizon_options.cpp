@@ -1,8 +1,10 @@
 #include "support/horizon_options.h"
 
+#include "graben/core/errors.h"
 #include "graben/core/memory.h"
 #include "graben/io/dip_reader.h"
 #include "graben/io/fault_reader.h"
+#include "graben/io/input_check.h"
 #include "graben/io/pick_reader.h"
 
 #include <algorithm>
@@ -16,6 +18,25 @@ namespace {
 constexpr double kHuge = 1e12;
 
 FaultGeometry geometryOf(FaultInput&& input) { return {std::move(input.name), std::move(input.geometry), input.z_positive}; }
+
+constexpr ZPositive kWays[] = {ZPositive::Unknown, ZPositive::Up, ZPositive::Down};
+
+/// \throw InvalidInputError if picks and faults cannot be of one frame
+void checkTogether(const OptionValues& values, const std::vector<FaultInput>& faults, HorizonInput& input) {
+  InputCheckOptions check;
+  check.z_scale = values.number("z-scale", 1e-9, 1e9);
+  const std::size_t way = values.choice("z-positive", {"auto", "up", "down"});
+  check.z_way_given = way != 0;
+  if (check.z_way_given)
+    input.picks.z_positive = kWays[way];
+  const InputFindings found = checkInput(input.picks, faults, check);
+  if (!found.contradiction.empty() && !values.has("units-as-given"))
+    throw InvalidInputError("reading " + values.text("horizon") + " and its faults", found.contradiction);
+  if (!found.contradiction.empty())
+    input.warnings.push_back(found.contradiction);
+  input.notes.insert(input.notes.end(), found.notes.begin(), found.notes.end());
+  input.warnings.insert(input.warnings.end(), found.warnings.begin(), found.warnings.end());
+}
 
 std::string stepNames() {
   std::string list;
@@ -31,6 +52,8 @@ void declareHorizonOptions(OptionParser& parser) {
     .value("horizon", "PICKS", "picks of the horizon: .xyz .txt .csv .poi .pcd .ply .vs and others; FILE:NAME for one of several horizons in a file")
     .list("fault", "FILE", "faults that cut it: surfaces .ts .ply .obj .stl .vtp .vtk or sticks .pol .pl");
   declareTableOptions(parser);
+  parser.value("fault-z-positive", "WAY", "which way z of the faults grows: up, down or auto (as their files say, else as the picks')", "auto")
+    .flag("units-as-given", "picks and faults are in the same units and directions although it does not look so");
   parser.list("dips", "FILE", "measured dips of the horizon: tables with columns x y z dip azimuth, or x y z strike dip");
   declareParameterOptions(parser);
 }
@@ -94,11 +117,19 @@ HorizonInput readHorizonInput(const OptionValues& values, const ProgressCallback
   input.warnings = input.picks.warnings;
   read.horizon.clear();
   read.columns.clear();
+  std::vector<FaultInput> faults;
+  const std::size_t way = values.choice("fault-z-positive", {"auto", "up", "down"});
   for (const std::string& file : values.texts("fault"))
     for (FaultInput& fault : readFaults(file)) {
       input.notes.insert(input.notes.end(), fault.notes.begin(), fault.notes.end());
-      input.faults.push_back(geometryOf(std::move(fault)));
+      input.warnings.insert(input.warnings.end(), fault.warnings.begin(), fault.warnings.end());
+      if (way != 0)
+        fault.z_positive = kWays[way];
+      faults.push_back(std::move(fault));
     }
+  checkTogether(values, faults, input);
+  for (FaultInput& fault : faults)
+    input.faults.push_back(geometryOf(std::move(fault)));
   for (const std::string& file : values.texts("dips")) {
     DipSet set = readDips(file, read);
     input.notes.insert(input.notes.end(), set.notes.begin(), set.notes.end());
@@ -122,8 +153,7 @@ ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositiv
   o.smooth = values.choice("signed-distance", {"smooth", "nearest"}) == 0;
   o.orientation = values.choice("orientation", {"mst", "up"}) == 0 ? OrientationMethod::SpanningTree : OrientationMethod::UpAxis;
   o.z_scale = values.number("z-scale", 1e-9, 1e9);
-  constexpr ZPositive ways[] = {ZPositive::Unknown, ZPositive::Up, ZPositive::Down};
-  o.z_positive = ways[values.choice("z-positive", {"auto", "up", "down"})];
+  o.z_positive = kWays[values.choice("z-positive", {"auto", "up", "down"})];
   if (o.z_positive == ZPositive::Unknown)
     o.z_positive = z_positive;
   o.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
