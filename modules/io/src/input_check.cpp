@@ -50,6 +50,11 @@ bool farApart(const Box& a, const Box& b, int axis) {
   return gap(a, b, axis) > 0.25 * std::max(a.max()[axis] - a.min()[axis], b.max()[axis] - b.min()[axis]);
 }
 
+/// Near zero anything fits when it is made small enough; what fits must also be of a like size.
+bool isOfLikeSize(double fault, double picks) {
+  return fault >= 0.05 * picks;
+}
+
 std::string range(const Box& box, int axis) {
   const auto text = [](double value) {
     std::string digits;
@@ -59,6 +64,10 @@ std::string range(const Box& box, int axis) {
     return digits.substr(0, point == std::string::npos ? point : std::max<std::size_t>(point + 7, 1));
   };
   return text(box.min()[axis]) + " to " + text(box.max()[axis]);
+}
+
+double widthOf(const Box& box) {
+  return std::max(box.sizes().x(), box.sizes().y());
 }
 
 struct Change {
@@ -126,7 +135,7 @@ private:
     const Vector3 size = box_.sizes();
     const bool small =
         std::max(std::abs(box_.min().x()), std::abs(box_.max().x())) <= 180.0 && std::max(std::abs(box_.min().y()), std::abs(box_.max().y())) <= 90.0;
-    const double wide = std::max(size.x(), size.y());
+    const double wide = widthOf(box_);
     if (small && wide > 0.0 && wide < 10.0 && size.z() > 100.0 * wide && options_.z_scale == 1.0)
       found_.contradiction = "x (" + range(box_, 0) + ") and y (" + range(box_, 1) + ") look like degrees or kilometres beside z (" + range(box_, 2) +
                              "); project longitude and latitude to metres, or give the scale of z: --z-scale 0.001 for km beside m";
@@ -141,7 +150,7 @@ private:
                                      {1000.0, "in kilometres and the picks' in metres", "convert one of them"},
                                      {0.001, "in metres and the picks' in kilometres", "convert one of them"}};
     for (const Change& change : changes)
-      if (all([&](const Box& b) { return !apart(scaled(b, change.factor, 1.0)); }))
+      if (all([&](const Box& b) { return !apart(scaled(b, change.factor, 1.0)) && isOfLikeSize(change.factor * widthOf(b), widthOf(box_)); }))
         return contradict(0, std::string("x and y of the faults seem to be ") + change.what, change.remedy);
     if (all([&](const Box& b) { return !apart(exchanged(b)); }))
       contradict(0, "x and y of the faults seem to be exchanged", "exchange them in one of the files");
@@ -162,7 +171,9 @@ private:
         {-1000.0, "be in seconds (or km) and grow the other way than the picks' in milliseconds (or m)", "convert one of them"},
         {-0.001, "be in milliseconds (or m) and grow the other way than the picks' in seconds (or km)", "convert one of them"}};
     for (const Change& change : changes)
-      if (all([&](const Box& b) { return gap(scaled(b, 1.0, change.factor), box_, 2) == 0.0; }))
+      if (all([&](const Box& b) {
+            return gap(scaled(b, 1.0, change.factor), box_, 2) == 0.0 && isOfLikeSize(std::abs(change.factor) * b.sizes().z(), box_.sizes().z());
+          }))
         return contradict(2, std::string("z of the faults seems to ") + change.what, change.remedy);
   }
 
@@ -197,7 +208,7 @@ private:
     Box everything = box_;
     for (const Box& box : fault_boxes_)
       everything.extend(box);
-    const double wide = std::max(box_.sizes().x(), box_.sizes().y());
+    const double wide = widthOf(box_);
     const double high = everything.sizes().z();
     const double least = fault_boxes_.empty() ? 1e-4 : 1e-3;
     const std::string spans = "z spans " + range(everything, 2) + " while x and y span " + range(box_, 0) + " and " + range(box_, 1);

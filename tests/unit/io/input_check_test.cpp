@@ -62,6 +62,15 @@ TEST(InputCheck, FeetAndMetresSecondsAndMilliseconds) {
   EXPECT_THAT(contradiction(picksAround(-2000.0), fault(-2000.0, 0.001, 1.0)), HasSubstr("in kilometres"));
 }
 
+TEST(InputCheck, AFaultFarAwayIsNotMadeToFit) {
+  PickSet picks;
+  for (int i = 0; i < 400; ++i)
+    picks.points.emplace_back(10.0 * (i % 20), 10.0 * (i / 20), 0.1 * i);
+  FaultInput far;
+  far.geometry = std::vector<FaultStick>{{{{9000, 0, -50}, {9000, 0, 50}}}, {{{9000, 100, -50}, {9000, 100, 50}}}};
+  EXPECT_EQ(contradiction(picks, far), "");
+}
+
 TEST(InputCheck, ExchangedCoordinates) {
   FaultInput turned = fault(-2000.0);
   for (FaultStick& stick : std::get<std::vector<FaultStick>>(turned.geometry))
