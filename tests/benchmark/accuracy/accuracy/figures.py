@@ -74,6 +74,14 @@ def limit_of(figure, limits):
     return dict(limits).get(figure.key, figure.limit)
 
 
+def limit_text(figure, limits=()):
+    """For the head of a table. Limits: (key, limit) of those that differ from the figures' own."""
+    if figure.key == "pieces":
+        return "as true"
+    most = limit_of(figure, limits)
+    return "no limit" if isnan(most) else f"≤ {most:g}{' σ' if figure.in_sigma else figure.unit}" if most else "0"
+
+
 def read(evaluation, sigma, voxel_size, limits=()):
     """The figures of one report of graben_evaluate, by key; a figure it does not have is left out. Limits: (key, limit) of those that differ here."""
     found = {entry["figure"]: entry for entry in evaluation["figures"]}
