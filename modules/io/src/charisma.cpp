@@ -4,6 +4,7 @@
 
 #include "line_reader.h"
 #include "numbers.h"
+#include "stick_builder.h"
 #include "table_reader.h"
 
 #include "graben/core/errors.h"
@@ -62,44 +63,19 @@ Row rowOf(std::string_view line, const std::string& path, std::size_t number) {
 
 constexpr const char* is_stick = "a row of a fault stick (name and number behind z), not of a horizon: give the file as --fault";
 
-struct NamedLines {
-  std::string name;
-  std::vector<Points> lines;
-  std::map<std::int64_t, std::size_t> line_of_stick;
-};
-
 } // namespace
 
 std::vector<FaultInput> readCharismaFaults(std::string_view text, const std::string& path) {
-  std::vector<NamedLines> named;
-  std::map<std::string, std::size_t> index_of_name;
+  StickBuilder builder(path);
   LineReader reader(text);
   std::string_view line;
   while (reader.next(line)) {
     if (isPassedOver(line))
       continue;
     const Row row = rowOf(line, path, reader.number());
-    const auto name = index_of_name.emplace(row.name, named.size());
-    if (name.second)
-      named.push_back({row.name, {}, {}});
-    NamedLines& fault = named[name.first->second];
-    const auto stick = fault.line_of_stick.emplace(row.stick, fault.lines.size());
-    if (stick.second)
-      fault.lines.emplace_back();
-    fault.lines[stick.first->second].push_back(row.point);
+    builder.add(row.name, std::to_string(row.stick), std::nan(""), row.point);
   }
-  std::vector<FaultInput> faults;
-  for (NamedLines& source : named) {
-    FaultInput fault{source.name, {}, ZPositive::Unknown, path, {}};
-    std::vector<FaultStick> sticks = sticksFromLines(std::move(source.lines), fault.notes);
-    if (sticks.empty())
-      continue;
-    fault.geometry = std::move(sticks);
-    faults.push_back(std::move(fault));
-  }
-  if (faults.empty())
-    throw ParseError(path, 0, "holds no fault stick with two points or more");
-  return faults;
+  return builder.take();
 }
 
 CharismaHorizons readCharismaHorizons(std::string_view text, const std::string& path) {

@@ -150,7 +150,20 @@ void HeaderNames::addFact(std::string_view text) {
     z_unit_ = unitOf(value);
 }
 
+/// Z-MAP+ points: `@NAME, DATA, ...`, a line for each field that begins with its name, `@`.
+bool HeaderNames::addField(std::string_view line) {
+  if (!line.empty() && line.front() == '@') {
+    inside_fields_ = toLower(line).find("data") != std::string::npos && line.find(',') != std::string_view::npos;
+    return true;
+  }
+  if (inside_fields_ && !line.empty() && line.front() != '!')
+    block_.emplace_back(trim(line.substr(0, line.find(','))));
+  return inside_fields_;
+}
+
 void HeaderNames::add(std::string_view line) {
+  if (addField(trim(line)))
+    return;
   const std::string_view text = withoutCommentMark(line);
   const std::string lower = toLower(text);
   if (lower == "begin header" || lower == "end header") {

@@ -11,7 +11,8 @@ namespace graben {
 /// Reads the column names a text header gives, line by line.
 ///
 /// Understood: a row of names (`X,Y,Z`, `# "X" "Y" "Inline" ...`, `//X Y Z`), OpendTect's `# 1: X` lines, EarthVision's `# Field: 1 x`,
-/// a block BEGIN HEADER ... END HEADER with a name per line and RMS's `Float name` lines after x y z. The last row of names counts.
+/// a block BEGIN HEADER ... END HEADER with a name per line and RMS's `Float name` lines after x y z, Z-MAP+'s fields between lines
+/// that begin with @. The last row of names counts.
 class HeaderNames {
 public:
   void add(std::string_view line);
@@ -26,10 +27,11 @@ public:
   const std::string& xyUnit() const { return xy_unit_; }
   const std::string& zUnit() const { return z_unit_; }
 
-  /// Lines of EarthVision's or Petrel's block, whose numbers are no row of data.
-  bool insideBlock() const { return inside_block_; }
+  /// Lines of Petrel's or Z-MAP+'s block, whose numbers are no row of data.
+  bool insideBlock() const { return inside_block_ || inside_fields_; }
 
 private:
+  bool addField(std::string_view line);
   void addNumbered(std::string_view text);
   void addFact(std::string_view text);
 
@@ -38,6 +40,7 @@ private:
   std::vector<double> nulls_;
   std::string xy_unit_, z_unit_;
   bool inside_block_ = false;
+  bool inside_fields_ = false;
 };
 
 /// Columns of x, y and z by name; -1 where no name fits.

@@ -26,8 +26,12 @@ std::vector<FaultInput> readFaults(const std::string& path) {
     throw ParseError(path, 0, "the file is empty");
   std::string storage;
   switch (formatOf(content.bytes(), path)) {
-  case FileFormat::Text:
-    return readLineFaults(textOf(content, path, storage), path);
+  case FileFormat::Text: {
+    const std::string_view text = textOf(content, path, storage);
+    return isBln(text) ? readBlnFaults(text, path) : readLineFaults(text, path);
+  }
+  case FileFormat::Iesx:
+    return readIesxFaults(textOf(content, path, storage), path);
   case FileFormat::Charisma:
     return readCharismaFaults(textOf(content, path, storage), path);
   case FileFormat::Cps3:

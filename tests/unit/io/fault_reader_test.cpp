@@ -72,7 +72,7 @@ TEST(PolReader, dropsOnePointSticksWithANote) {
 }
 
 TEST(PolReader, refusesWhatIsNoSticks) {
-  EXPECT_THAT(failure("1 2 3\n4 5 6\n7 8 9\n", "F.pol"), HasSubstr("without any end of line"));
+  EXPECT_THAT(read("1 2 3\n4 5 6\n7 8 9\n", "F.pol")[0].notes, Contains(HasSubstr("without any end of line")));
   EXPECT_THAT(failure("some prose\nmore prose\n", "F.pol"), HasSubstr("is no fault"));
   EXPECT_THAT(failure("1 2 3\n4 five 6\n999 999 999\n", "F.pol"), HasSubstr("F.pol:2: "));
   EXPECT_THAT(failure("1 2 3\n999 999 999\n", "F.pol"), HasSubstr("two points or more"));

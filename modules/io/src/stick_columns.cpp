@@ -1,0 +1,122 @@
+#include "stick_columns.h"
+
+#include "column_names.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace graben {
+namespace {
+
+/// How a column of whole numbers goes on from row to row.
+struct Course {
+  bool whole = false;
+  bool constant = false;
+  bool runs = false;   ///< stays the same for some rows, then changes
+  bool counts = false; ///< mostly grows by one
+};
+
+Course courseOf(const SampledColumn& column) {
+  Course course;
+  course.whole = column.whole && column.low <= column.high;
+  course.constant = course.whole && column.constant();
+  std::size_t same = 0;
+  std::size_t next = 0;
+  for (std::size_t r = 1; r < column.values.size(); ++r) {
+    same += column.values[r] == column.values[r - 1] ? 1 : 0;
+    next += column.values[r] == column.values[r - 1] + 1.0 ? 1 : 0;
+  }
+  const std::size_t steps = column.values.empty() ? 0 : column.values.size() - 1;
+  course.runs = course.whole && 3 * same >= steps;
+  course.counts = course.whole && 2 * next >= steps;
+  return course;
+}
+
+class StickTable {
+public:
+  StickTable(const TextLayout& layout, const TableSample& sample)
+      : layout_(layout)
+      , sample_(sample) {}
+
+  StickColumns byName() const {
+    StickColumns columns;
+    const auto& names = layout_.names;
+    const int shift = names.size() + 1 == layout_.columns_in_row ? 1 : 0;
+    for (const int c : findCoordinateColumns(names)) {
+      if (c < 0)
+        columns.doubt = "the header names x and y but no z";
+      else
+        columns.place.push_back(c + shift);
+    }
+    const auto find = [&](ColumnRole role) { return findColumn(names, role) < 0 ? -1 : findColumn(names, role) + shift; };
+    columns.name = shift > 0 ? 0 : find(ColumnRole::Fault);
+    if (const int stick = find(ColumnRole::Stick); stick >= 0)
+      columns.sticks.push_back(stick);
+    columns.node = find(ColumnRole::Node);
+    return columns;
+  }
+
+  StickColumns byContent(bool parted) {
+    StickColumns columns;
+    for (std::size_t c = 0; c < sample_.columns.size(); ++c) {
+      if (sample_.isNumber(c))
+        numbers_.push_back(c);
+      else if (columns.name < 0 && sample_.columns[c].numbers == 0)
+        columns.name = static_cast<int>(c);
+    }
+    while (numbers_.size() > 3 && (takeId(true, columns) || takeLineNumbers() || takeId(false, columns))) {
+    }
+    if (numbers_.size() > 3)
+      columns.doubt = "x, y and z cannot be told from other columns of numbers";
+    columns.place.assign(numbers_.begin(), numbers_.end());
+    std::reverse(columns.sticks.begin(), columns.sticks.end());
+    if (!parted && columns.sticks.empty() && columns.node < 0 && columns.name < 0 && sample_.columns.size() > 3)
+      columns.doubt = "no column tells the sticks apart";
+    return columns;
+  }
+
+private:
+  /// Takes the last or first column of numbers for one that tells sticks or nodes.
+  bool takeId(bool last, StickColumns& columns) {
+    const std::size_t c = last ? numbers_.back() : numbers_.front();
+    const Course course = courseOf(sample_.columns[c]);
+    if (course.runs || course.constant) {
+      if (!course.constant || columns.sticks.empty())
+        columns.sticks.push_back(static_cast<int>(c));
+    } else if (course.counts && columns.node < 0) {
+      columns.node = static_cast<int>(c);
+    } else {
+      return false;
+    }
+    numbers_.erase(last ? numbers_.end() - 1 : numbers_.begin());
+    return true;
+  }
+
+  bool takeLineNumbers() {
+    if (numbers_.size() < 5)
+      return false;
+    for (std::size_t i = 0; i + 1 < numbers_.size(); ++i)
+      for (std::size_t k = 0; k + 1 < numbers_.size(); ++k) {
+        const bool whole = sample_.columns[numbers_[i]].whole && sample_.columns[numbers_[i + 1]].whole;
+        if ((k > i + 1 || i > k + 1) && whole && followEvenly(sample_, numbers_[i], numbers_[i + 1], numbers_[k], numbers_[k + 1])) {
+          numbers_.erase(numbers_.begin() + static_cast<std::ptrdiff_t>(i), numbers_.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+          return true;
+        }
+      }
+    return false;
+  }
+
+  const TextLayout& layout_;
+  const TableSample& sample_;
+  std::vector<std::size_t> numbers_;
+};
+
+} // namespace
+
+StickColumns findStickColumns(const TextLayout& layout, const TableSample& sample, bool parted) {
+  const auto named = findCoordinateColumns(layout.names);
+  StickTable table(layout, sample);
+  return named[0] >= 0 && named[1] >= 0 ? table.byName() : table.byContent(parted);
+}
+
+} // namespace graben
