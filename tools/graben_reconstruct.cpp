@@ -117,6 +117,7 @@ int run(const OptionValues& values) {
   all.insert(all.begin(), stages.begin(), stages.end());
   StageClock writing(all, progress);
   writing.start("writing");
+  notes.insert(notes.end(), result.report.notes.begin(), result.report.notes.end());
   for (const std::string& note : writeOutputs(values, result))
     notes.push_back(note);
   writing.stop();

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <optional>
 #include <sstream>
 
 namespace graben {
@@ -36,6 +38,30 @@ void checkTogether(const OptionValues& values, const std::vector<FaultInput>& fa
     input.warnings.push_back(found.contradiction);
   input.notes.insert(input.notes.end(), found.notes.begin(), found.notes.end());
   input.warnings.insert(input.warnings.end(), found.warnings.begin(), found.warnings.end());
+}
+
+std::optional<double> faultSmoothing(const OptionValues& values) {
+  const std::string text = values.text("fault-smoothing");
+  if (text == "auto")
+    return std::nullopt;
+  return text == "off" ? 0.0 : values.number("fault-smoothing", 0.0, kHuge);
+}
+
+std::optional<TraceDip> faultDip(const OptionValues& values) {
+  if (!values.has("fault-dip"))
+    return std::nullopt;
+  const std::string text = values.text("fault-dip");
+  TraceDip dip;
+  double azimuth = 0.0;
+  int used = 0;
+  const int parts = std::sscanf(text.c_str(), "%lf%n,%lf%n", &dip.dip, &used, &azimuth, &used);
+  if (parts == 2)
+    dip.azimuth = azimuth;
+  if (parts < 1 || static_cast<std::size_t>(used) != text.size() || !(dip.dip > 0.0 && dip.dip <= 90.0) || !(std::abs(azimuth) <= 360.0) ||
+      (dip.dip < 90.0 && parts < 2))
+    throw UsageError("option --fault-dip: '" + text + "' is not DEG,AZIMUTH with a dip over 0 and up to 90 degrees and the azimuth it dips towards (90 alone: "
+                     "vertical)");
+  return dip;
 }
 
 std::string stepNames() {
@@ -94,6 +120,9 @@ void declareParameterOptions(OptionParser& parser) {
     .value("zone-width", "W", "the zone fitted to the faults reaches this far from them")
     .value("fault-reach", "D", "farthest the surface is carried on from the last picks to a fault; each vertex is written with its distance to the "
                                "nearest pick and whether that is beyond the data (default: six pick distances, more where picks are uneven)")
+    .value("fault-smoothing", "D", "how far the nodes of sticks lie off their fault (standard deviation): auto, off (all nodes lie in it) or a distance",
+           "auto")
+    .value("fault-dip", "DEG,AZIMUTH", "dip of faults given as level lines, traces on a map, and which way they dip, clockwise from north; 90: vertical")
     .value("fit", "MODE", "fit near the faults: full, normal (along the normal only) or off", "full")
     .value("signed-distance", "MODE", "smooth (averaged over picks of the same side) or nearest (Hoppe's nearest plane)", "smooth")
     .value("orientation", "MODE", "of the normals: mst (spanning tree) or up", "mst")
@@ -148,6 +177,8 @@ ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositiv
   o.flip_angle = values.number("flip-angle", 0.0, 180.0);
   o.zone_width = values.number("zone-width", 0.0, kHuge);
   o.fault_reach = values.number("fault-reach", 0.0, kHuge);
+  o.fault_smoothing = faultSmoothing(values);
+  o.fault_dip = faultDip(values);
   constexpr FitMode fits[] = {FitMode::Full, FitMode::Normal, FitMode::Off};
   o.fit = fits[values.choice("fit", {"full", "normal", "off"})];
   o.smooth = values.choice("signed-distance", {"smooth", "nearest"}) == 0;

@@ -3,6 +3,7 @@
 #include "graben/mesh/adjacency.h"
 #include "graben/mesh/components.h"
 #include "graben/mesh/normals.h"
+#include "graben/mesh/triangle_bvh.h"
 
 #include <Eigen/Geometry>
 
@@ -20,6 +21,8 @@ constexpr double kTurnCost = 0.15; // of the fault's width: stretches shorter th
 constexpr double kOnLine = 1e-6;   // of a border edge: how far off a tip line it may lie
 constexpr double kHole = -0.3;     // an outline facing its own centre this much is a hole's
 constexpr std::size_t kKinds = 4;
+constexpr std::size_t kManyEdges = 2000; // of a run
+constexpr double kShortBlock = 0.05;     // of the reach that directions are averaged over
 
 Index nextInTriangle(Index h) {
   return h % 3 == 2 ? h - 2 : h + 1;
@@ -72,36 +75,41 @@ bool isHole(const TriangleMesh& mesh, const std::vector<Index>& loop) {
 
 using KindCosts = std::array<double, kKinds>;
 
-double distanceToLine(const Vector3& p, const Points& line) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Vector3 d = line[i + 1] - line[i];
-    const double t = std::clamp((p - line[i]).dot(d) / d.squaredNorm(), 0.0, 1.0);
-    nearest = std::min(nearest, (p - line[i] - t * d).norm());
+/// The tip lines of a fault, to be asked whether an edge lies on one.
+class TipLines {
+public:
+  explicit TipLines(const FaultSurface& fault) : mesh_(fault.mesh) {
+    for (const Points& line : fault.tip_lines) {
+      TriangleMesh segments;
+      segments.vertices = line;
+      for (Index i = 0; i + 1 < static_cast<Index>(line.size()); ++i)
+        segments.triangles.push_back({i, i + 1, i + 1});
+      lines_.emplace_back(segments, 1);
+    }
   }
-  return nearest;
-}
 
-bool onTipLine(const FaultSurface& fault, Index half_edge) {
-  const double tolerance = kOnLine * edgeLength(fault.mesh, half_edge);
-  return std::any_of(fault.tip_lines.begin(), fault.tip_lines.end(), [&](const Points& line) {
-    return distanceToLine(
-               fault.mesh.vertices[static_cast<std::size_t>(startOf(fault.mesh, half_edge))],
-               line) <= tolerance &&
-           distanceToLine(
-               fault.mesh.vertices[static_cast<std::size_t>(endOf(fault.mesh, half_edge))], line) <=
-               tolerance;
-  });
-}
+  bool hold(Index half_edge) const {
+    const double tolerance = kOnLine * edgeLength(mesh_, half_edge);
+    const auto near = [&](const TriangleBvh& line, Index v) {
+      return line.nearest(mesh_.vertices[static_cast<std::size_t>(v)], 2.0 * tolerance).distance <= tolerance;
+    };
+    return std::any_of(lines_.begin(), lines_.end(), [&](const TriangleBvh& line) {
+      return near(line, startOf(mesh_, half_edge)) && near(line, endOf(mesh_, half_edge));
+    });
+  }
 
-KindCosts costsOf(const FaultSurface& fault, const DipFrames& frames, Index half_edge) {
-  const TriangleMesh& mesh = fault.mesh;
+private:
+  const TriangleMesh& mesh_;
+  std::vector<TriangleBvh> lines_;
+};
+
+KindCosts costsOf(const TriangleMesh& mesh, const TipLines& tips, const DipFrames& frames, Index half_edge) {
   const DipFrame frame = frames.at(half_edge / 3);
   const Vector3 outward = outwardOf(mesh, half_edge);
   const double length = edgeLength(mesh, half_edge);
   const double up = outward.dot(frame.up);
   const double right = outward.dot(frame.right);
-  if (onTipLine(fault, half_edge)) {
+  if (tips.hold(half_edge)) {
     const double never = std::numeric_limits<double>::max() * 1e-9;
     return {never, right > 0.0 ? 0.0 : never, never, right > 0.0 ? never : 0.0};
   }
@@ -230,6 +238,7 @@ std::vector<BorderRun> outerBorderRuns(const FaultSurface& fault) {
     area[static_cast<std::size_t>(components.of_triangle[t])] +=
         0.5 * areaNormal(mesh, mesh.triangles[t]).norm();
   const DipFrames frames(mesh);
+  const TipLines tips(fault);
   std::vector<BorderRun> runs;
   for (const std::vector<Index>& loop : halfEdgeLoops(mesh, adjacency)) {
     if (isHole(mesh, loop))
@@ -237,7 +246,7 @@ std::vector<BorderRun> outerBorderRuns(const FaultSurface& fault) {
     std::vector<KindCosts> costs;
     double perimeter = 0.0;
     for (const Index h : loop) {
-      costs.push_back(costsOf(fault, frames, h));
+      costs.push_back(costsOf(mesh, tips, frames, h));
       perimeter += edgeLength(mesh, h);
     }
     const double width = 2.0 *
@@ -263,6 +272,30 @@ std::vector<BorderRun> outerBorderRuns(const FaultSurface& fault) {
   return runs;
 }
 
+namespace {
+
+/// Edges of a run that follow each other, as one: where they lie along it, and the sum of their directions.
+struct Block {
+  double begin, end;
+  Vector3 sum;
+};
+
+/// One for each edge of a short run, and of a long one for stretches that are short against \a sigma: time must not grow with the square of the edges.
+std::vector<Block> blocksOf(const std::vector<double>& ends, const Points& edge_directions, double sigma) {
+  const double most = edge_directions.size() > kManyEdges ? kShortBlock * sigma : 0.0;
+  std::vector<Block> blocks;
+  for (std::size_t e = 0; e < edge_directions.size(); ++e) {
+    const Vector3 share = (ends[e + 1] - ends[e]) * edge_directions[e];
+    if (blocks.empty() || !(ends[e + 1] - blocks.back().begin < most))
+      blocks.push_back({ends[e], ends[e + 1], share});
+    else
+      blocks.back() = {blocks.back().begin, ends[e + 1], blocks.back().sum + share};
+  }
+  return blocks;
+}
+
+} // namespace
+
 Points directionsAlong(const TriangleMesh& mesh, const BorderRun& run,
                        const Points& edge_directions, double sigma) {
   const std::size_t edges = run.half_edges.size();
@@ -271,17 +304,15 @@ Points directionsAlong(const TriangleMesh& mesh, const BorderRun& run,
   for (const Index h : run.half_edges)
     ends.push_back(ends.back() + edgeLength(mesh, h));
   const double total = ends.back();
+  const std::vector<Block> blocks = blocksOf(ends, edge_directions, sigma);
   Points directions;
   for (std::size_t v = 0; v < edges + (run.closed ? 0 : 1); ++v) {
     Vector3 sum = Vector3::Zero();
-    for (std::size_t e = 0; e < edges; ++e) {
-      double away = std::max({0.0, ends[e] - ends[v], ends[v] - ends[e + 1]});
+    for (const Block& block : blocks) {
+      double away = std::max({0.0, block.begin - ends[v], ends[v] - block.end});
       if (run.closed)
-        away = std::min(away,
-                        std::max(0.0, total - std::max(ends[e + 1] - ends[v], ends[v] - ends[e])));
-      const double weight =
-          std::isfinite(sigma) ? std::exp(-0.5 * (away / sigma) * (away / sigma)) : 1.0;
-      sum += weight * (ends[e + 1] - ends[e]) * edge_directions[e];
+        away = std::min(away, std::max(0.0, total - std::max(block.end - ends[v], ends[v] - block.begin)));
+      sum += (std::isfinite(sigma) ? std::exp(-0.5 * (away / sigma) * (away / sigma)) : 1.0) * block.sum;
     }
     directions.push_back(unit(sum, edge_directions[std::min(v, edges - 1)]));
   }

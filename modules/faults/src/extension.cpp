@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace graben {
 namespace {
@@ -70,12 +71,14 @@ void extendTipLines(std::vector<Points>& tip_lines, const Vector3& corner,
 
 /// Tip lines along an end that was continued lie along the new end.
 void moveTipLines(std::vector<Points>& tip_lines, const Points& end, const Points& extended) {
+  const auto before = [](const Vector3& a, const Vector3& b) { return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3); };
+  std::map<Vector3, std::size_t, decltype(before)> place(before);
+  for (std::size_t i = 0; i < end.size(); ++i)
+    place.emplace(end[i], i);
   for (Points& line : tip_lines)
-    for (Vector3& p : line) {
-      const auto found = std::find(end.begin(), end.end(), p);
-      if (found != end.end())
-        p = extended[static_cast<std::size_t>(found - end.begin())];
-    }
+    for (Vector3& p : line)
+      if (const auto found = place.find(p); found != place.end())
+        p = extended[found->second];
 }
 
 /// The fault to be continued, with nothing else than its name, mesh and tip lines.

@@ -1,4 +1,5 @@
 #include "cleaning.h"
+#include "smooth_loft.h"
 #include "sticks.h"
 
 #include "graben/core/errors.h"
@@ -12,6 +13,7 @@ namespace graben {
 namespace {
 
 constexpr double kMostPoints = 2e7; // of a lofted fault; more can only be a wrong spacing
+constexpr std::size_t kMostNodes = 1000; // of a stick
 constexpr std::size_t kLargestTable =
     4000000; // entries of the table that finds the best strip between two sticks
 
@@ -37,6 +39,23 @@ Points refined(const FaultStick& stick, double spacing) {
     out.push_back(b);
   }
   return out;
+}
+
+/// Nodes far closer than tells of the stick are left out.
+void thin(FaultStick& stick) {
+  if (stick.points.size() <= kMostNodes)
+    return;
+  const double least = detail::length(stick) / static_cast<double>(kMostNodes);
+  Points kept{stick.points.front()};
+  double walked = 0.0;
+  for (std::size_t i = 1; i < stick.points.size(); ++i) {
+    walked += (stick.points[i] - stick.points[i - 1]).norm();
+    if (walked < least && i + 1 < stick.points.size())
+      continue;
+    kept.push_back(stick.points[i]);
+    walked = 0.0;
+  }
+  stick.points = std::move(kept);
 }
 
 /// One step down the strip between two sticks: on the left one, or on the right one.
@@ -120,6 +139,7 @@ FaultSurface FaultSurface::loft(std::string name, const std::vector<FaultStick>&
     turned.push_back(detail::cleanedStick(sticks[i], was_reversed));
     if (was_reversed != order.reversed[i])
       std::reverse(turned.back().points.begin(), turned.back().points.end());
+    thin(turned.back());
     total += detail::length(turned.back());
   }
   if (spacing == 0.0)
@@ -141,6 +161,13 @@ FaultSurface FaultSurface::loft(std::string name, const std::vector<FaultStick>&
   }
   FaultSurface fault = fromMesh(std::move(name), mesh);
   fault.tip_lines = {turned.front().points, turned.back().points};
+  if (detail::familyOf(detail::FramedSticks(turned)) == detail::StickFamily::AlongStrike) {
+    fault.tip_lines.assign(2, {});
+    for (const FaultStick& stick : turned) {
+      fault.tip_lines[0].push_back(stick.points.front());
+      fault.tip_lines[1].push_back(stick.points.back());
+    }
+  }
   return fault;
 }
 

@@ -18,20 +18,20 @@ Vector3 toLocal(const Vector3& p, ZPositive z_positive, const LocalFrame& frame)
   return frame.toLocal(Vector3(p.x(), p.y(), -p.z()));
 }
 
-FaultSurface localSurface(const FaultGeometry& fault, const LocalFrame& frame) {
+LoftedFaults localSurfaces(const FaultGeometry& fault, const LocalFrame& frame, const LoftOptions& options) {
   if (const auto* mesh = std::get_if<TriangleMesh>(&fault.geometry)) {
     TriangleMesh local;
     local.triangles = mesh->triangles;
     local.vertices.reserve(mesh->vertices.size());
     for (const Vector3& p : mesh->vertices)
       local.vertices.push_back(toLocal(p, fault.z_positive, frame));
-    return FaultSurface::fromMesh(fault.name, local);
+    return meshedFault(fault.name, local, options);
   }
   std::vector<FaultStick> sticks = std::get<std::vector<FaultStick>>(fault.geometry);
   for (FaultStick& stick : sticks)
     for (Vector3& p : stick.points)
       p = toLocal(p, fault.z_positive, frame);
-  return FaultSurface::loft(fault.name, sticks);
+  return loftFaults(fault.name, sticks, options);
 }
 
 constexpr std::size_t kStrayPicks = 8; // beyond an end at the data's edge; inside the data there are several times as many
@@ -79,15 +79,20 @@ private:
 } // namespace
 
 std::vector<FaultSurface> prepareFaults(const std::vector<FaultGeometry>& faults, const LocalFrame& frame, const NeighborGrid& picks,
-                                        const FaultPreparation& options, std::vector<std::string>& warnings) {
+                                        const FaultPreparation& options, std::vector<std::string>& warnings,
+                                        std::vector<std::string>& notes) {
   std::vector<FaultSurface> surfaces;
   for (const FaultGeometry& fault : faults) {
     if (fault.z_positive != ZPositive::Unknown && fault.z_positive != frame.z_positive)
       warnings.push_back("Fault " + fault.name + " has its z the other way up than the picks; it was turned over.");
-    FaultSurface surface = localSurface(fault, frame);
-    if (options.extension > 0.0)
-      surface = extendedAlongStrike(extendedAlongDip(surface, options.extension), options.extension, EndsAtDataEdge(picks, options));
-    surfaces.push_back(std::move(surface));
+    LoftedFaults lofted = localSurfaces(fault, frame, options.loft);
+    warnings.insert(warnings.end(), lofted.warnings.begin(), lofted.warnings.end());
+    notes.insert(notes.end(), lofted.notes.begin(), lofted.notes.end());
+    for (FaultSurface& surface : lofted.faults) {
+      if (options.extension > 0.0)
+        surface = extendedAlongStrike(extendedAlongDip(surface, options.extension), options.extension, EndsAtDataEdge(picks, options));
+      surfaces.push_back(std::move(surface));
+    }
   }
   return surfaces;
 }

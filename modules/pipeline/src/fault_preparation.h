@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/faults/fault_lofting.h"
 #include "graben/features/neighbor_grid.h"
 #include "graben/pipeline/horizon_reconstruction.h"
 
@@ -8,14 +9,16 @@ namespace graben {
 struct FaultPreparation {
   double extension = 0.0;     ///< how far faults are continued, in local units
   double pick_distance = 0.0; ///< mean distance of the picks, in local units
+  LoftOptions loft;
 };
 
 /// Faults in the local frame as surfaces: sticks lofted, meshes cleaned, turned to the picks' z direction, extended along dip
 /// so that a fault whose sticks stop above or below the horizon still cuts it, and along strike where an end of it lies at the data's edge.
 /// \param[in] picks in the local frame
-/// \param[out] warnings sentences for the user
+/// \param[out] warnings sentences for the user \param[out] notes what was done to the faults
 std::vector<FaultSurface> prepareFaults(const std::vector<FaultGeometry>& faults, const LocalFrame& frame, const NeighborGrid& picks,
-                                        const FaultPreparation& options, std::vector<std::string>& warnings);
+                                        const FaultPreparation& options, std::vector<std::string>& warnings,
+                                        std::vector<std::string>& notes);
 
 /// A local fault in the user's frame.
 FaultSurface toUserFrame(const FaultSurface& local, const LocalFrame& frame);

@@ -194,8 +194,11 @@ void ReconstructionJob::prepareParameters() {
 
 void ReconstructionJob::buildFaults(const std::vector<FaultGeometry>& faults) {
   const double reach = result_.report.used.fault_reach;
-  const FaultPreparation preparation{reach, mean_distance_};
-  faults_ = FaultNetwork(prepareFaults(faults, result_.frame, grid_, preparation, result_.report.warnings), reach);
+  FaultPreparation preparation{reach, mean_distance_, {options_.fault_smoothing, options_.fault_dip, {}}};
+  if (options_.fault_dip)
+    preparation.loft.horizon = boundsOf(picks_.points, options_.threads);
+  ReconstructionReport& report = result_.report;
+  faults_ = FaultNetwork(prepareFaults(faults, result_.frame, grid_, preparation, report.warnings, report.notes), reach);
   zone_ = zonePicks(picks_.points, faults_, result_.report.used.zone_width, options_.threads);
 }
 

@@ -115,6 +115,7 @@ Json reportTree(const ReconstructionReport& r, bool with_timings) {
   j["bridging_triangles"] = r.bridging_triangles;
   j["extrapolation"] = json(r.extrapolation);
   j["warnings"] = r.warnings;
+  j["notes"] = r.notes;
   if (with_timings) {
     j["stages"] = Json::array();
     for (const StageTiming& s : r.stages)

@@ -17,7 +17,7 @@ struct FaultSurface {
   std::string name;
   TriangleMesh mesh;
   /// Where the fault is known to end along strike: the first and the last stick of a lofted fault.
-  /// Border vertices on these lines count as lateral tips however obliquely the sticks run; without
+  /// (Sticks along strike, as on time slices: the line of their first and of their last points.) Border vertices on these lines count as lateral tips however obliquely the sticks run; without
   /// them that is told from the border's geometry.
   std::vector<Points> tip_lines = {};
 
@@ -34,7 +34,7 @@ struct FaultSurface {
   /// dropped. Sticks are turned to run the same way, put in order along strike (shortest path
   /// through the sticks, found from their geometry), given further points where their own are far
   /// apart and joined by triangles with the shortest diagonals. Sharp turns in the order are kept:
-  /// nothing is smoothed, every stick lies in the surface. The surface depends on the sticks'
+  /// nothing is smoothed, every stick lies in the surface (of more than 1000 nodes, those a thousandth of its length apart). The surface depends on the sticks'
   /// geometry alone: neither their order nor their directions change it. O(n^2) in the number of
   /// sticks. \param[in] spacing largest edge along a stick, in the sticks' units; 0: the median
   /// distance of the sticks' points \throw InvalidInputError if fewer than two sticks with two

@@ -3,6 +3,7 @@
 #include "graben/core/dip.h"
 #include "graben/core/local_frame.h"
 #include "graben/core/progress.h"
+#include "graben/faults/fault_lofting.h"
 #include "graben/faults/fault_network.h"
 #include "graben/features/orientation.h"
 #include "graben/filters/wrong_side_picks.h"
@@ -10,6 +11,7 @@
 #include "graben/pipeline/skipped_steps.h"
 #include "graben/surface/zone_fit.h"
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,6 +34,8 @@ struct ReconstructionOptions {
   double flip_angle = 60.0;  ///< degrees, 0 to 180; 180: off
   double zone_width = 0.0;   ///< the zone is what lies within this distance of a fault, in x, y units; 0: five voxels
   double fault_reach = 0.0;  ///< farthest the surface is carried on from the last picks to a fault, in x, y units; 0: estimated
+  std::optional<double> fault_smoothing; ///< standard deviation of the faults' nodes about smooth surfaces, in x, y units; 0: kept exactly; see LoftOptions
+  std::optional<TraceDip> fault_dip;     ///< of faults given as level lines on a map; see LoftOptions
   FitMode fit = FitMode::Full;
   bool smooth = true;        ///< values averaged over picks of the same side; false: Hoppe's nearest plane alone, and no refinement after the fit
   OrientationMethod orientation = OrientationMethod::SpanningTree;

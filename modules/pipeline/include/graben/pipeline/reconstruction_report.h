@@ -95,6 +95,7 @@ struct ReconstructionReport {
   std::size_t bridging_triangles = 0;
   std::vector<StageTiming> stages;
   std::vector<std::string> warnings;     ///< sentences for the user
+  std::vector<std::string> notes;        ///< what was done to the input, a sentence each
 };
 
 /// The report as JSON, with a fixed order of keys, which config/documentation/report.md explains. Timings and memory are left out if \a with_timings is false, so that two runs compare equal.
