@@ -133,8 +133,8 @@ private:
   void fromTraces(const std::vector<FaultStick>& traces) {
     for (std::size_t i = 0; i < traces.size(); ++i)
       result_.faults.push_back(detail::faultFromTrace(partName(i, traces.size()), traces[i], *options_.trace_dip, options_.horizon));
-    note("made from " + (traces.size() == 1 ? std::string("its trace") : std::to_string(traces.size()) + " traces, each a fault of its own") + " with a dip of " +
-         shortNumber(options_.trace_dip->dip) + " degrees.");
+    note("made from " + (traces.size() == 1 ? std::string("its trace") : std::to_string(traces.size()) + " traces, each a fault of its own") +
+         " with a dip of " + shortNumber(options_.trace_dip->dip) + " degrees.");
   }
 
   std::string partName(std::size_t part, std::size_t parts) const { return parts == 1 ? name_ : name_ + "_" + std::to_string(part + 1); }
@@ -148,8 +148,8 @@ private:
     const detail::FramedSticks framed(sticks);
     if (framed.frame.dip() < kLeastDip)
       throw InvalidInputError(stage_, "its " + std::to_string(sticks.size()) + " lines are level and lie so far apart that a surface through them would dip " +
-                                        shortNumber(framed.frame.dip()) + " degrees; they look like traces of several faults on a map. Say how these dip with " +
-                                        "--fault-dip DEG,AZIMUTH (90: vertical), or give each fault its own file with its sticks or its surface.");
+                                        shortNumber(framed.frame.dip()) +
+                                        " degrees; they look like traces of several faults on a map. Say how these dip with --fault-dip DEG,AZIMUTH (90: vertical), or give each fault its own file with its sticks or its surface.");
   }
 
   void loftParts(const std::vector<FaultStick>& sticks, const std::vector<FaultStick>& given) {

@@ -16,9 +16,9 @@ struct FaultStick {
 struct FaultSurface {
   std::string name;
   TriangleMesh mesh;
-  /// Where the fault is known to end along strike: the first and the last stick of a lofted fault.
-  /// (Sticks along strike, as on time slices: the line of their first and of their last points.) Border vertices on these lines count as lateral tips however obliquely the sticks run; without
-  /// them that is told from the border's geometry.
+  /// Where the fault is known to end along strike: the first and the last stick of a lofted fault (of sticks along strike the lines of their first and
+  /// of their last points). Border vertices on these lines count as lateral tips however obliquely the sticks run; without them that is told from the
+  /// border's geometry.
   std::vector<Points> tip_lines = {};
 
   /// A fault from a triangle mesh of any quality: duplicate vertices are joined, degenerate and
