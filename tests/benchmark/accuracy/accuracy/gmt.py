@@ -12,6 +12,7 @@ import time
 from pathlib import Path
 
 from .run import CommandError
+from .tsurf import TSurf
 
 MOST_POINTS = 2000  # of greenspline, whose time grows with their cube
 PADDING = 200.0
@@ -30,19 +31,6 @@ def labelled_picks(path):
     for x, y, z, block in struct.iter_unpack("<dddI", content[start:]):
         blocks.setdefault(block, []).append((x, y, z))
     return blocks
-
-
-class TrueBlock:
-    """The triangles of one true block."""
-
-    def __init__(self, path):
-        self.vertices, self.triangles = [], []
-        for line in Path(path).read_text().splitlines():
-            words = line.split()
-            if words and words[0] in ("VRTX", "PVRTX"):
-                self.vertices.append(tuple(float(word) for word in words[2:5]))
-            elif words and words[0] == "TRGL":
-                self.triangles.append(tuple(int(word) - 1 for word in words[1:4]))
 
 
 def rows(points):
@@ -101,7 +89,7 @@ def surface_of(name, sample, mesh, cell=25.0):
     blocks = labelled_picks(sample.folder / "horizon.ply")
     vertices, triangles, seconds = [], [], 0.0
     for number in sorted(blocks):
-        block = TrueBlock(sample.folder / f"truth_block_{number + 1}.ts")
+        block = TSurf(sample.folder / f"truth_block_{number + 1}.ts")
         start = time.monotonic()
         heights = Gridder(name).heights(blocks[number], [v[:2] for v in block.vertices], cell)
         seconds += time.monotonic() - start
