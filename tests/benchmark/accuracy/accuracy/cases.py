@@ -169,9 +169,10 @@ def _shadow():
 
 
 def _holes():
-    discs = ("--hole", "-1700,-1500,300", "--hole", "-2000,600,200", "--hole", "1900,-1500,500")  # away from the faults of all kinds
+    discs = ("--hole", "-1700,-1500,300", "--hole", "-2000,600,200", "--hole", "1900,-1500,500")  # at no fault of any kind
     for kind in INTERPRETED:
-        yield Case("holes", f"holes-{kind}", f"{kind}, 25 m grid with three holes", ("--kind", kind, "--sampling", "grid", "--line-distance", "25", *discs))
+        yield Case("holes", f"holes-{kind}", f"{kind}, 25 m grid with three holes", ("--kind", kind, "--sampling", "grid", "--line-distance", "25", *discs),
+                   evaluate=_reach(30))
     for kind in INTERPRETED:
         yield Case("unpicked", f"unpicked-{kind}", f"{kind}, lines 250 m apart both ways, a fifth unpicked in stretches of 600 m",
                    ("--kind", kind, *_along("250,250"), "--unpicked", "0.2,600"), evaluate=_reach(130), limits=LINES_1000)
@@ -187,7 +188,8 @@ def _steep():
     for tilt in (30, 40, 50):
         for azimuth, where in ((105, "with the fault"), (285, "against it"), (15, "along it")):
             yield Case("steep", f"steep-{tilt}-{azimuth}", f"tip, horizon dips {tilt}° {where}, picks 43 m apart",
-                       ("--kind", "tip", "--tilt", f"{tilt},{azimuth}", *_along("43", along=43)), limits=_limits(0.25, 0.4, 0.45, 0.9, throw=nan, off_fault=1.5, slivers=0.5))
+                       ("--kind", "tip", "--tilt", f"{tilt},{azimuth}", *_along("43", along=43)),
+                       limits=_limits(0.25, 0.4, 0.45, 0.9, throw=nan, off_fault=1.5, slivers=0.5))
 
 
 def _digitised():
