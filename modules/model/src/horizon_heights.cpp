@@ -1,0 +1,223 @@
+#include "horizon_heights.h"
+
+#include "graben/core/errors.h"
+#include "graben/core/sort_unique.h"
+#include "graben/core/threads.h"
+#include "graben/mesh/normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace graben {
+
+namespace {
+
+using Slope = Eigen::Vector2d;
+
+/// A horizon's height under one place, and its slope along x and y.
+struct Known {
+  double height = std::numeric_limits<double>::quiet_NaN();
+  Slope slope = Slope::Zero();
+};
+
+class HeightLookup {
+public:
+  HeightLookup(const TriangleMesh& horizon, const FaultNetwork& faults, double low, double high, const HorizonLookupOptions& options)
+    : horizon_(horizon), bvh_(horizon, options.threads), faults_(faults), close_(options.close), low_(std::min(low, bvh_.bounds().low.z()) - 1.0),
+      high_(std::max(high, bvh_.bounds().high.z()) + 1.0) {
+    normals_ = horizon;
+    computeVertexNormals(normals_, options.threads);
+  }
+
+  /// \param[in] across_faults whether faults between the place and the horizon are looked through
+  Known at(const Vector3& place, const Vector3& inside, bool across_faults = false) const {
+    const Vector3 bottom(place.x(), place.y(), low_);
+    const Vector3 top(place.x(), place.y(), high_);
+    Known found;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const SegmentHit& hit : bvh_.allHits(bottom, top)) {
+      const double distance = std::abs(hit.point.z() - place.z());
+      if (distance >= nearest || (!across_faults && parted(inside, hit.point)))
+        continue;
+      nearest = distance;
+      found.height = hit.point.z();
+      found.slope = slopeAt(hit);
+    }
+    return found;
+  }
+
+private:
+  /// A fault close behind the hit parts too: the horizon's border lies on it to within its own errors only.
+  bool parted(const Vector3& inside, const Vector3& hit) const {
+    if (faults_.empty() || inside == hit)
+      return false;
+    return faults_.crosses(inside, hit + close_ * (hit - inside).normalized());
+  }
+
+  Slope slopeAt(const SegmentHit& hit) const {
+    constexpr double kSteepest = 2.0;
+    Vector3 normal = Vector3::Zero();
+    for (const Index v : horizon_.triangles[static_cast<std::size_t>(hit.triangle)])
+      normal += normals_.normals[static_cast<std::size_t>(v)];
+    if (std::abs(normal.z()) * kSteepest < normal.head<2>().norm())
+      return Slope::Zero();
+    return -normal.head<2>() / normal.z();
+  }
+
+  const TriangleMesh& horizon_;
+  TriangleMesh normals_;
+  TriangleBvh bvh_;
+  const FaultNetwork& faults_;
+  double close_;
+  double low_;
+  double high_;
+};
+
+/// Carries heights on over the graph, nearest first.
+class Continuation {
+public:
+  Continuation(const TetrahedronMesh& mesh, const NodeGraph& graph, std::vector<Known>& known, std::vector<float>& beyond)
+    : mesh_(mesh), graph_(graph), known_(known), beyond_(beyond), done_(known.size(), 0) {}
+
+  void run() {
+    for (std::size_t n = 0; n < known_.size(); ++n)
+      if (std::isfinite(known_[n].height)) {
+        done_[n] = 1;
+        beyond_[n] = 0.0F;
+      }
+    for (std::size_t n = 0; n < known_.size(); ++n)
+      if (done_[n] != 0)
+        reachFrom(static_cast<Index>(n));
+    while (!front_.empty()) {
+      const auto [distance, node] = front_.top();
+      front_.pop();
+      if (done_[static_cast<std::size_t>(node)] != 0)
+        continue;
+      settle(node);
+      reachFrom(node);
+    }
+  }
+
+private:
+  double planDistance(Index a, Index b) const {
+    constexpr double kUpright = 0.05; // a step up or down counts a little, or far columns would come before near ones
+    const Vector3 d = mesh_.position(a) - mesh_.position(b);
+    return d.head<2>().norm() + kUpright * std::abs(d.z());
+  }
+
+  void reachFrom(Index node) {
+    for (const Index other : graph_.neighbors(node)) {
+      if (done_[static_cast<std::size_t>(other)] != 0)
+        continue;
+      const auto distance = static_cast<float>(beyond_[static_cast<std::size_t>(node)] + planDistance(node, other));
+      if (distance >= beyond_[static_cast<std::size_t>(other)])
+        continue;
+      beyond_[static_cast<std::size_t>(other)] = distance;
+      front_.emplace(distance, other);
+    }
+  }
+
+  void settle(Index node) {
+    double weights = 0.0;
+    double height = 0.0;
+    Slope slope = Slope::Zero();
+    const Slope here = mesh_.position(node).head<2>();
+    for (const Index other : graph_.neighbors(node)) {
+      const auto o = static_cast<std::size_t>(other);
+      if (done_[o] == 0)
+        continue;
+      const double weight = 1.0 / (planDistance(node, other) + 1e-9);
+      height += weight * (known_[o].height + known_[o].slope.dot(here - Slope(mesh_.position(other).head<2>())));
+      slope += weight * known_[o].slope;
+      weights += weight;
+    }
+    known_[static_cast<std::size_t>(node)] = {height / weights, slope / weights};
+    done_[static_cast<std::size_t>(node)] = 1;
+  }
+
+  using Reached = std::pair<float, Index>;
+  const TetrahedronMesh& mesh_;
+  const NodeGraph& graph_;
+  std::vector<Known>& known_;
+  std::vector<float>& beyond_;
+  std::vector<std::uint8_t> done_;
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front_;
+};
+
+/// What faults close in without any of the horizon takes its height from beyond them, or else its mean height.
+void fillEnclosed(const TetrahedronMesh& mesh, const HeightLookup& lookup, std::vector<Known>& known) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const Known& k : known)
+    if (std::isfinite(k.height)) {
+      sum += k.height;
+      ++count;
+    }
+  for (std::size_t n = 0; n < known.size(); ++n) {
+    if (std::isfinite(known[n].height))
+      continue;
+    const Vector3& place = mesh.position(static_cast<Index>(n));
+    known[n] = lookup.at(place, place, true);
+    if (!std::isfinite(known[n].height))
+      known[n].height = sum / static_cast<double>(count);
+  }
+}
+
+} // namespace
+
+NodeGraph::NodeGraph(const TetrahedronMesh& mesh) {
+  std::vector<std::uint64_t> edges;
+  edges.reserve(3 * mesh.cells.size());
+  constexpr std::size_t kOften = std::size_t{1} << 24;
+  std::size_t unique = 0;
+  for (const Tetrahedron& cell : mesh.cells) {
+    for (const auto& e : kTetrahedronEdges)
+      edges.push_back(EdgeMap::key(cell[static_cast<std::size_t>(e[0])], cell[static_cast<std::size_t>(e[1])]));
+    if (edges.size() > 2 * unique + kOften) {
+      sortUnique(edges);
+      unique = edges.size();
+    }
+  }
+  sortUnique(edges);
+  starts_.assign(mesh.node_vertex.size() + 1, 0);
+  for (const std::uint64_t edge : edges) {
+    ++starts_[(edge >> 32) + 1];
+    ++starts_[(edge & 0xffffffffU) + 1];
+  }
+  for (std::size_t n = 1; n < starts_.size(); ++n)
+    starts_[n] += starts_[n - 1];
+  ends_.resize(2 * edges.size());
+  std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
+  for (const std::uint64_t edge : edges) {
+    const auto a = static_cast<std::size_t>(edge >> 32);
+    const auto b = static_cast<std::size_t>(edge & 0xffffffffU);
+    ends_[next[a]++] = static_cast<Index>(b);
+    ends_[next[b]++] = static_cast<Index>(a);
+  }
+}
+
+HorizonHeights horizonHeights(const TetrahedronMesh& mesh, const Points& inside, const NodeGraph& graph, const TriangleMesh& horizon,
+                              const FaultNetwork& faults, const HorizonLookupOptions& options) {
+  const Bounds bounds = boundsOf(mesh.vertices, options.threads);
+  const HeightLookup lookup(horizon, faults, bounds.low.z(), bounds.high.z(), options);
+  std::vector<Known> known(mesh.node_vertex.size());
+  parallelFor(known.size(), 1024, options.threads, [&](std::size_t n) { known[n] = lookup.at(mesh.position(static_cast<Index>(n)), inside[n]); });
+  HorizonHeights result;
+  result.beyond.assign(known.size(), std::numeric_limits<float>::infinity());
+  const auto is_known = [](const Known& k) { return std::isfinite(k.height); };
+  if (std::none_of(known.begin(), known.end(), is_known))
+    throw InvalidInputError("horizon", "it lies nowhere within the outline");
+  Continuation(mesh, graph, known, result.beyond).run();
+  if (!std::all_of(known.begin(), known.end(), is_known)) {
+    fillEnclosed(mesh, lookup, known);
+    Continuation(mesh, graph, known, result.beyond).run();
+  }
+  result.height.resize(known.size());
+  for (std::size_t n = 0; n < known.size(); ++n)
+    result.height[n] = known[n].height;
+  return result;
+}
+
+} // namespace graben
