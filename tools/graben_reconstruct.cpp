@@ -2,6 +2,7 @@
 #include "support/progress_display.h"
 #include "support/results_folder.h"
 #include "support/run.h"
+#include "support/takeaways.h"
 
 #include "graben/core/errors.h"
 #include "graben/pipeline/requirements.h"
@@ -21,8 +22,9 @@ OptionParser parser() {
     .value("output", "SURFACE", "the whole faulted horizon; .ply .vtk .vtp .obj .stl or .ts")
     .value("results", "DIR", "folder for all that goes with it: pieces, picks, cut faults, report, pictures")
     .flag("gocad-properties", "write piece, pick_distance and extrapolated into --output .ts too (PVRTX lines, which some readers refuse)")
-    .value("report", "FILE.json", "the report alone")
-    .flag("progress", "say what is being done each second; on a terminal that is done anyway")
+    .value("report", "FILE.json", "the report alone");
+  declareUnitOptions(p);
+  p.flag("progress", "say what is being done each second; on a terminal that is done anyway")
     .flag("quiet", "say nothing but errors")
     .value("require", "FIGURES", "what the surface must reach, by the names of the report's figures: rms<5,seal<0.1,bridges=0,coverage>0.98; "
                                  "exit code 1 if it does not");
@@ -102,6 +104,7 @@ int run(const OptionValues& values) {
     throw UsageError("--output SURFACE is missing: where shall the horizon go?");
   const std::vector<Requirement> requirements = readRequirements(values);
   checkOutputs(values);
+  unitNames(values);
   std::optional<ProgressDisplay> display(progressMode(values));
   const ProgressCallback progress = display->callback();
   std::vector<StageTiming> stages;

@@ -128,6 +128,7 @@ void declareParameterOptions(OptionParser& parser) {
     .value("orientation", "MODE", "of the normals: mst (spanning tree) or up", "mst")
     .value("z-scale", "S", "z is multiplied by this for all distances, as for time in ms against metres", "1")
     .value("z-positive", "WAY", "up (elevation), down (depth, time) or auto (as the file says)", "auto")
+    .value("throw-interval", "M", "distance along strike between the rows of a fault's throw profile (default: four voxels, rounded)")
     .value("threads", "N", "0: one per processor", "0")
     .value("memory-limit", "GB", "a job that would need more is refused before it starts; 0: none is (default: three quarters of the memory)");
   parser.section("For comparisons").list("skip", "STEP", "steps to leave out, each of which makes the surface better: " + stepNames());
@@ -187,6 +188,7 @@ ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositiv
   o.z_positive = kWays[values.choice("z-positive", {"auto", "up", "down"})];
   if (o.z_positive == ZPositive::Unknown)
     o.z_positive = z_positive;
+  o.throw_interval = values.number("throw-interval", 0.0, kHuge);
   o.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
   o.memory_limit = values.text("memory-limit").empty() ? defaultMemoryLimit() : static_cast<std::size_t>(1e9 * values.number("memory-limit", 0.0, 1e6));
   for (const std::string& step : values.texts("skip"))

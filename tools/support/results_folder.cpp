@@ -1,5 +1,7 @@
 #include "support/results_folder.h"
 
+#include "support/takeaways.h"
+
 #include "graben/core/errors.h"
 #include "graben/io/atomic_file.h"
 #include "graben/io/mesh_writer.h"
@@ -52,7 +54,7 @@ void removeFormerRun(const fs::path& dir) {
   for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
     const std::string name = entry.path().filename().string();
     const std::string extension = entry.path().extension().string();
-    for (const char* prefix : {"piece_", "fault_", "cutoffs_", "throw_"})
+    for (const char* prefix : {"piece_", "fault_", "cutoffs_", "throw_", "profile_", "gap_", "overlap_"})
       if (name.rfind(prefix, 0) == 0 && (extension == ".ts" || extension == ".pol" || extension == ".csv"))
         former.push_back(entry.path());
   }
@@ -200,6 +202,8 @@ std::vector<std::string> writeOutputs(const OptionValues& values, const Reconstr
   writeFaults(dir, result);
   writeCutoffs(dir, result);
   writeThrows(dir, result);
+  writeProfiles(dir, result, unitNames(values));
+  writePolygons(dir, result);
   writePicks(dir, result);
   writeText(dir / "report.json", toJson(result.report));
   const std::vector<std::string> pictures = drawPictures(dir, result);

@@ -44,6 +44,7 @@ private:
   void orient();
   void finish();
   void measureSurface();
+  double throwInterval() const;
   void readThrowsOff(const EdgeAdjacency& adjacency);
   void bringBackGivenPicks();
   void handOutPicks(const std::vector<Index>& pieces);

@@ -59,6 +59,10 @@ Json json(const FaultReport& f, const FaultSeal* seal) {
     j["branch_gap"] = f.branch_gap;
   }
   j["throw"] = json(f.throw_);
+  j["throw"]["throw_length_ratio"] = f.throw_length_ratio;
+  j["throw"]["tips"] = f.tips;
+  j["gap_area"] = f.gap_area;
+  j["overlap_area"] = f.overlap_area;
   if (seal != nullptr)
     j["seal"] = toJson<Json>(*seal);
   return j;

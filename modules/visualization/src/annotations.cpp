@@ -1,6 +1,6 @@
 #include "annotations.h"
 
-#include "ticks.h"
+#include "graben/core/ticks.h"
 
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>

@@ -3,9 +3,9 @@
 #include "annotations.h"
 #include "picture_file.h"
 #include "scene_actors.h"
-#include "ticks.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/ticks.h"
 
 #include <Eigen/Geometry>
 

@@ -2,9 +2,9 @@
 
 #include "palette.h"
 #include "picture_file.h"
-#include "ticks.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/ticks.h"
 #include "graben/mesh/bounds.h"
 
 #include <vtkAxis.h>

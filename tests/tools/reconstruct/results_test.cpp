@@ -71,8 +71,28 @@ TEST_F(ReconstructResults, WithoutADisplaySaysSoAndWritesTheRest) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.errors, HasSubstr("note: No pictures: "));
   EXPECT_EQ(names("r"),
-            (std::set<std::string>{"cutoffs_1_fault_1.pol", "fault_1_fault_1.ts", "picks.pcd", "piece_1.ts", "piece_2.ts",
-                                   "report.json", "surface.ply", "surface.vtk", "throw_1_fault_1.csv"}));
+            (std::set<std::string>{"cutoffs_1_fault_1.pol", "fault_1_fault_1.ts", "fault_polygons.csv", "fault_polygons.dbf", "fault_polygons.geojson",
+                                   "fault_polygons.shp", "fault_polygons.shx", "gap_1_fault_1.pol", "picks.pcd", "piece_1.ts", "piece_2.ts",
+                                   "profile_1_fault_1.csv", "report.json", "surface.ply", "surface.vtk", "throw_1_fault_1.csv"}));
+}
+
+TEST_F(ReconstructResults, ThrowProfilesHaveUnitsAndARowEverySoOften) {
+  synthesize("s", "--kind reverse --picks 3000");
+  ASSERT_EQ(reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --results r --throw-interval 500 --xy-unit ft --z-unit ms").code, 0);
+  std::istringstream profile(content("r/profile_1_fault_1.csv"));
+  std::string line;
+  std::getline(profile, line);
+  EXPECT_EQ(line, "along [ft],x [ft],y [ft],footwall_z [ms],hanging_wall_z [ms],throw [ms],heave [ft],dip_slip [ft],fault_dip [deg],fault_dip_azimuth [deg]");
+  double along = 0.0;
+  for (; std::getline(profile, line); along += 500.0)
+    EXPECT_EQ(std::stod(line), along);
+  EXPECT_GT(along, 4000.0);
+  const auto polygons = nlohmann::json::parse(content("r/fault_polygons.geojson"));
+  ASSERT_EQ(polygons["features"].size(), 1U);
+  EXPECT_EQ(polygons["features"][0]["properties"]["kind"], "overlap");
+  const auto report = nlohmann::json::parse(content("r/report.json"));
+  EXPECT_EQ(report["faults"][0]["gap_area"], 0.0);
+  EXPECT_NEAR(report["faults"][0]["overlap_area"], polygons["features"][0]["properties"]["area"].get<double>(), 1e-6);
 }
 
 TEST_F(ReconstructResults, PicksOpenInPclWithNormalsAndPiece) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "graben/analysis/fault_polygons.h"
+#include "graben/analysis/fault_profile.h"
 #include "graben/core/dip.h"
 #include "graben/core/local_frame.h"
 #include "graben/core/progress.h"
@@ -44,6 +46,7 @@ struct ReconstructionOptions {
   std::size_t memory_limit = 0; ///< bytes that the process may take in all, by estimate; 0: no limit
   unsigned threads = 0;      ///< 0: one per processor
   SkippedSteps skip;         ///< for comparisons
+  double throw_interval = 0.0; ///< distance between the rows of FaultProfile along a fault, in x, y units; 0: four voxels, rounded
   bool keep_picks = true;    ///< false: ReconstructionResult says nothing of single picks, which saves memory
   ProgressCallback progress;
 };
@@ -58,6 +61,8 @@ struct ReconstructionResult {
   std::vector<CutoffLine> cutoffs;      ///< where the pieces meet the faults
   std::vector<std::vector<ThrowSample>> throws; ///< for each fault what is read off its cutoff lines: throws in z units, positive where the
                                                 ///< hanging wall is down, whichever way z grows; heave and dip slip in x, y units
+  std::vector<FaultProfile> profiles;   ///< for each fault the same at even distances, with the fault's attitude
+  std::vector<FaultPolygon> polygons;   ///< the areas in the map between the cutoffs of each fault, which no two share
   Points picks;                         ///< the picks, to a few units in the last place; this and the next three are empty without keep_picks
   Points pick_normals;                  ///< oriented normal of each pick; NaN where there is none
   std::vector<Index> pick_piece;        ///< piece nearest to each pick, -1 where none is in reach

@@ -44,6 +44,10 @@ struct FaultReport {
   std::string branches_off;       ///< name of the fault it ends at, or empty
   double branch_gap = 0.0;        ///< largest distance it was extended over to reach that fault
   ThrowSummary throw_;            ///< throws in the picks' z units, lengths in x, y units
+  double throw_length_ratio = 0.0; ///< D / L, see FaultProfile::ratio
+  std::size_t tips = 0;           ///< ends of its trace at which the throw falls to 0
+  double gap_area = 0.0;          ///< of its fault polygons in the map, x, y units squared
+  double overlap_area = 0.0;      ///< the same where the horizon lies over itself
 };
 
 /// How much of the surface lies beyond the data: farther than rho + delta from the nearest pick of its own side.
@@ -98,7 +102,8 @@ struct ReconstructionReport {
   std::vector<std::string> notes;        ///< what was done to the input, a sentence each
 };
 
-/// The report as JSON, with a fixed order of keys, which config/documentation/report.md explains. Timings and memory are left out if \a with_timings is false, so that two runs compare equal.
+/// The report as JSON, with a fixed order of keys, which config/documentation/report.md explains. Timings and memory are left out if \a with_timings is
+/// false, so that two runs compare equal.
 std::string toJson(const ReconstructionReport& report, bool with_timings = true);
 
 } // namespace graben

@@ -1,4 +1,4 @@
-#include "ticks.h"
+#include "graben/core/ticks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,87 @@
+#include "graben/io/polygon_writer.h"
+
+#include "numbers.h"
+
+#include "graben/io/atomic_file.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace graben {
+
+namespace {
+
+void appendQuoted(std::string& text, const std::string& value) {
+  text += '"';
+  for (const char c : value) {
+    if (c == '"' || c == '\\')
+      text += '\\';
+    if (static_cast<unsigned char>(c) >= 0x20) {
+      text += c;
+      continue;
+    }
+    char escaped[8];
+    std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    text += escaped;
+  }
+  text += '"';
+}
+
+void appendFigure(std::string& text, double value) {
+  if (std::isfinite(value))
+    appendNumber(text, value);
+  else
+    text += "null";
+}
+
+void appendPoint(std::string& text, const Vector3& p) {
+  text += '[';
+  for (int k = 0; k < 3; ++k) {
+    text += k == 0 ? "" : ",";
+    appendFigure(text, p[k]);
+  }
+  text += ']';
+}
+
+void appendFeature(std::string& text, const MapPolygon& polygon) {
+  text += "{\"type\":\"Feature\",\"properties\":{";
+  bool first = true;
+  const auto key = [&](const std::string& name) {
+    text += first ? "" : ",";
+    first = false;
+    appendQuoted(text, name);
+    text += ':';
+  };
+  for (const auto& [name, value] : polygon.texts) {
+    key(name);
+    appendQuoted(text, value);
+  }
+  for (const auto& [name, value] : polygon.figures) {
+    key(name);
+    appendFigure(text, value);
+  }
+  text += "},\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[[";
+  for (const Vector3& p : polygon.ring) {
+    appendPoint(text, p);
+    text += ',';
+  }
+  if (!polygon.ring.empty())
+    appendPoint(text, polygon.ring.front());
+  text += "]]}}";
+}
+
+} // namespace
+
+void writeGeoJson(const std::string& path, const std::vector<MapPolygon>& polygons) {
+  AtomicFile file(path);
+  file.write("{\"type\":\"FeatureCollection\",\"features\":[");
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    std::string text = i == 0 ? "\n" : ",\n";
+    appendFeature(text, polygons[i]);
+    file.write(text);
+  }
+  file.write("\n]}\n");
+  file.commit();
+}
+
+} // namespace graben

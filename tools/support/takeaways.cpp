@@ -1,0 +1,115 @@
+#include "support/takeaways.h"
+
+#include "graben/io/pick_writer.h"
+#include "graben/io/polygon_writer.h"
+#include "graben/io/table_writer.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace graben {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// WHAT_N_NAME without extension; N counts from 1.
+std::string fileOfFault(const std::string& what, std::size_t fault, const std::string& name) {
+  constexpr std::size_t kLongest = 100;
+  std::string safe = name.substr(0, kLongest);
+  for (char& c : safe)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.')
+      c = '_';
+  return what + "_" + std::to_string(fault + 1) + "_" + (safe.empty() ? "fault" : safe);
+}
+
+FaultStick closed(const Points& ring) {
+  FaultStick line{ring};
+  if (!ring.empty())
+    line.points.push_back(ring.front());
+  return line;
+}
+
+const char* kindOf(const FaultPolygon& polygon) { return polygon.overlap ? "overlap" : "gap"; }
+
+void writePolygonTable(const fs::path& dir, const ReconstructionResult& result) {
+  std::vector<std::string> faults, kinds;
+  std::vector<double> numbers, x, y, z;
+  for (std::size_t i = 0; i < result.polygons.size(); ++i)
+    for (const Vector3& p : closed(result.polygons[i].ring).points) {
+      faults.push_back(result.faults[static_cast<std::size_t>(result.polygons[i].fault)].name);
+      kinds.emplace_back(kindOf(result.polygons[i]));
+      numbers.push_back(static_cast<double>(i + 1));
+      x.push_back(p.x());
+      y.push_back(p.y());
+      z.push_back(p.z());
+    }
+  writeTable((dir / "fault_polygons.csv").string(),
+             {{"x", std::move(x)}, {"y", std::move(y)}, {"z", std::move(z)}, {"polygon", std::move(numbers)}, {"fault", std::move(faults)},
+              {"kind", std::move(kinds)}});
+}
+
+} // namespace
+
+void declareUnitOptions(OptionParser& parser) {
+  parser.value("xy-unit", "UNIT", "name of the unit of x and y, for headers and pictures", "m")
+    .value("z-unit", "UNIT", "name of the unit of z (default: m; ms where --z-scale is not 1)");
+}
+
+UnitNames unitNames(const OptionValues& values) {
+  UnitNames units;
+  units.xy = values.text("xy-unit");
+  units.z = !values.text("z-unit").empty() ? values.text("z-unit") : values.number("z-scale") == 1.0 ? units.xy : "ms";
+  for (const std::string& unit : {units.xy, units.z})
+    if (unit.size() > 16 || !std::all_of(unit.begin(), unit.end(), [](unsigned char c) { return std::isalnum(c) != 0; }))
+      throw UsageError("'" + unit + "' is no name of a unit: up to 16 letters and digits, such as m, ft or ms");
+  return units;
+}
+
+void writeProfiles(const fs::path& dir, const ReconstructionResult& result, const UnitNames& units) {
+  for (std::size_t f = 0; f < result.profiles.size(); ++f) {
+    const std::vector<ProfileRow>& rows = result.profiles[f].rows;
+    if (rows.empty())
+      continue;
+    const auto column = [&](const std::string& name, auto value) {
+      std::vector<double> values;
+      for (const ProfileRow& row : rows)
+        values.push_back(value(row));
+      return TableColumn{name, std::move(values)};
+    };
+    const auto in = [](const std::string& name, const std::string& unit) { return name + " [" + unit + "]"; };
+    writeTable((dir / (fileOfFault("profile", f, result.faults[f].name) + ".csv")).string(),
+               {column(in("along", units.xy), [](const ProfileRow& r) { return r.along; }),
+                column(in("x", units.xy), [](const ProfileRow& r) { return r.footwall.x(); }),
+                column(in("y", units.xy), [](const ProfileRow& r) { return r.footwall.y(); }),
+                column(in("footwall_z", units.z), [](const ProfileRow& r) { return r.footwall.z(); }),
+                column(in("hanging_wall_z", units.z), [](const ProfileRow& r) { return r.hanging_wall.z(); }),
+                column(in("throw", units.z), [](const ProfileRow& r) { return r.throw_; }),
+                column(in("heave", units.xy), [](const ProfileRow& r) { return r.heave; }),
+                column(in("dip_slip", units.xy), [](const ProfileRow& r) { return r.dip_slip; }),
+                column(in("fault_dip", "deg"), [](const ProfileRow& r) { return r.dip; }),
+                column(in("fault_dip_azimuth", "deg"), [](const ProfileRow& r) { return r.azimuth; })});
+  }
+}
+
+void writePolygons(const fs::path& dir, const ReconstructionResult& result) {
+  if (result.polygons.empty())
+    return;
+  writePolygonTable(dir, result);
+  std::vector<MapPolygon> polygons;
+  for (const FaultPolygon& p : result.polygons)
+    polygons.push_back({{{"fault", result.faults[static_cast<std::size_t>(p.fault)].name}, {"kind", kindOf(p)}}, {{"area", p.area}}, p.ring});
+  writeGeoJson((dir / "fault_polygons.geojson").string(), polygons);
+  writeShapefile((dir / "fault_polygons.shp").string(), polygons);
+  for (std::size_t f = 0; f < result.faults.size(); ++f)
+    for (const bool overlap : {false, true}) {
+      std::vector<FaultStick> lines;
+      for (const FaultPolygon& p : result.polygons)
+        if (static_cast<std::size_t>(p.fault) == f && p.overlap == overlap)
+          lines.push_back(closed(p.ring));
+      if (!lines.empty())
+        writePol((dir / (fileOfFault(overlap ? "overlap" : "gap", f, result.faults[f].name) + ".pol")).string(), lines);
+    }
+}
+
+} // namespace graben

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "support/options.h"
+
+#include "graben/pipeline/horizon_reconstruction.h"
+
+#include <filesystem>
+
+namespace graben {
+
+/// Names of the units of a horizon's coordinates, for what people read.
+struct UnitNames {
+  std::string xy = "m";
+  std::string z = "m";
+};
+
+/// Declares --xy-unit and --z-unit.
+void declareUnitOptions(OptionParser& parser);
+
+/// \throw UsageError if a unit's name has characters that a header cannot hold
+UnitNames unitNames(const OptionValues& values);
+
+/// Writes, for each fault that cuts the horizon, its throw along strike: profile_N_NAME.csv.
+void writeProfiles(const std::filesystem::path& dir, const ReconstructionResult& result, const UnitNames& units);
+
+/// Writes the fault polygons: fault_polygons.csv, .geojson, .shp with .shx and .dbf, and for each fault gap_N_NAME.pol and overlap_N_NAME.pol. Nothing
+/// where there are none.
+void writePolygons(const std::filesystem::path& dir, const ReconstructionResult& result);
+
+} // namespace graben
