@@ -2,7 +2,7 @@
 #include "support/progress_display.h"
 #include "support/results_folder.h"
 #include "support/run.h"
-#include "support/takeaways.h"
+#include "support/takeaway_pictures.h"
 
 #include "graben/core/errors.h"
 #include "graben/pipeline/requirements.h"
@@ -23,6 +23,7 @@ OptionParser parser() {
     .value("results", "DIR", "folder for all that goes with it: pieces, picks, cut faults, report, pictures")
     .flag("gocad-properties", "write piece, pick_distance and extrapolated into --output .ts too (PVRTX lines, which some readers refuse)")
     .value("report", "FILE.json", "the report alone");
+  declarePictureOptions(p);
   declareUnitOptions(p);
   p.flag("progress", "say what is being done each second; on a terminal that is done anyway")
     .flag("quiet", "say nothing but errors")
@@ -105,6 +106,7 @@ int run(const OptionValues& values) {
   const std::vector<Requirement> requirements = readRequirements(values);
   checkOutputs(values);
   unitNames(values);
+  pictureChoice(values);
   std::optional<ProgressDisplay> display(progressMode(values));
   const ProgressCallback progress = display->callback();
   std::vector<StageTiming> stages;

@@ -9,15 +9,18 @@
 #include "graben/visualization/section.h"
 
 #include <deque>
+#include <filesystem>
 
 namespace {
 
 using namespace graben;
 
+namespace fs = std::filesystem;
+
 OptionParser describe() {
   OptionParser parser("graben_render", "Draws a surface mesh, with faults and picks if given, as a PNG picture.");
   parser.positionals("MESH", "surface mesh (.ply .vtk .vtp .obj .stl .ts)", 0, 1)
-      .value("output", "FILE.png", "the picture to write", "graben_render.png")
+      .value("output", "FILE.png", "the picture to write; a section as .svg or .pdf too", "graben_render.png")
       .list("fault", "FILE", "faults: surfaces or sticks")
       .value("picks", "FILE", "picks of the horizon")
       .list("truth", "FILE", "meshes drawn dashed in a section")
@@ -68,6 +71,14 @@ Content readContent(const OptionValues& values) {
   return content;
 }
 
+PictureFormats formatsOf(const fs::path& output) {
+  const std::string extension = output.extension().string();
+  PictureFormats formats{extension == ".png", extension == ".svg", extension == ".pdf"};
+  if (!formats.png && !formats.svg && !formats.pdf)
+    throw UsageError("--output " + output.string() + ": a section is written as .png, .svg or .pdf");
+  return formats;
+}
+
 View readView(const OptionValues& values) {
   const std::string& text = values.text("view");
   if (text == "map")
@@ -105,9 +116,6 @@ int render(const OptionValues& values) {
     removeUnreferencedVertices(content.mesh);
     labelPieces(content.mesh);
   }
-  const Offscreen screen;
-  if (!screen.available())
-    throw Error("drawing a picture", screen.reason());
   const ZPositive z_positive = values.has("z-down") ? ZPositive::Down : ZPositive::Up;
   const std::vector<double> size = values.numbers("size", 2);
   const TriangleMesh* mesh = content.mesh.empty() ? nullptr : &content.mesh;
@@ -116,15 +124,20 @@ int render(const OptionValues& values) {
     const std::vector<double> ends = values.numbers("section", 4);
     SectionOptions options;
     options.band = values.number("band", 0.0);
-    options.z_positive = z_positive;
+    options.units.z_positive = z_positive;
     options.vertical_exaggeration = values.number("exaggeration", 0.0);
     options.width = static_cast<int>(size[0]);
     options.height = static_cast<int>(size[1]);
     options.title = values.text("title");
-    renderSection(screen, values.text("output"), {mesh, pointers(content.faults), pointers(content.truth), picks},
-                  {{ends[0], ends[1], 0.0}, {ends[2], ends[3], 0.0}}, options);
+    const fs::path output = values.text("output");
+    options.formats = formatsOf(output);
+    drawSection((output.parent_path() / output.stem()).string(), {mesh, pointers(content.faults), pointers(content.truth), picks},
+                {{ends[0], ends[1], 0.0}, {ends[2], ends[3], 0.0}}, options);
     return 0;
   }
+  const Offscreen screen;
+  if (!screen.available())
+    throw Error("drawing a picture", screen.reason());
   RenderOptions options = readRenderOptions(values);
   options.z_positive = z_positive;
   options.vertical_exaggeration = values.number("exaggeration", 0.0);

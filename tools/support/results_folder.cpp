@@ -1,5 +1,6 @@
 #include "support/results_folder.h"
 
+#include "support/takeaway_pictures.h"
 #include "support/takeaways.h"
 
 #include "graben/core/errors.h"
@@ -8,11 +9,11 @@
 #include "graben/io/pick_writer.h"
 #include "graben/io/table_writer.h"
 #include "graben/mesh/components.h"
-#include "graben/visualization/render.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace graben {
 
@@ -54,8 +55,8 @@ void removeFormerRun(const fs::path& dir) {
   for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
     const std::string name = entry.path().filename().string();
     const std::string extension = entry.path().extension().string();
-    for (const char* prefix : {"piece_", "fault_", "cutoffs_", "throw_", "profile_", "gap_", "overlap_"})
-      if (name.rfind(prefix, 0) == 0 && (extension == ".ts" || extension == ".pol" || extension == ".csv"))
+    for (const char* prefix : {"piece_", "fault_", "cutoffs_", "throw_", "profile_", "gap_", "overlap_", "throw_profile_", "allan_", "section_"})
+      if (name.rfind(prefix, 0) == 0 && std::set<std::string>{".ts", ".pol", ".csv", ".png", ".svg", ".pdf"}.count(extension) > 0)
         former.push_back(entry.path());
   }
   std::error_code error;
@@ -123,26 +124,6 @@ void writePicks(const fs::path& dir, const ReconstructionResult& result) {
   writePcd((dir / "picks.pcd").string(), result.picks.size(), pick, fields);
 }
 
-std::vector<std::string> drawPictures(const fs::path& dir, const ReconstructionResult& result) {
-  const Offscreen screen;
-  if (!screen.available())
-    return {"No pictures: " + screen.reason()};
-  SurfaceScene scene;
-  scene.mesh = &result.mesh;
-  for (const FaultSurface& fault : result.faults)
-    scene.faults.push_back(&fault.mesh);
-  RenderOptions o;
-  o.z_positive = result.frame.z_positive;
-  o.view = View::map();
-  renderSurface(screen, (dir / "map.png").string(), scene, o);
-  o.view = View::oblique();
-  renderSurface(screen, (dir / "oblique.png").string(), scene, o);
-  o.view = View::map();
-  o.color_by = ColorBy::Piece;
-  renderSurface(screen, (dir / "pieces.png").string(), scene, o);
-  return {};
-}
-
 std::vector<std::string> writeSurface(const OptionValues& values, const ReconstructionResult& result) {
   MeshWriteOptions o = meshOptions(result, fs::path(values.text("output")).stem().string());
   o.gocad_properties = values.has("gocad-properties");
@@ -206,7 +187,7 @@ std::vector<std::string> writeOutputs(const OptionValues& values, const Reconstr
   writePolygons(dir, result);
   writePicks(dir, result);
   writeText(dir / "report.json", toJson(result.report));
-  const std::vector<std::string> pictures = drawPictures(dir, result);
+  const std::vector<std::string> pictures = drawPictures(dir, result, unitNames(values), pictureChoice(values));
   notes.insert(notes.end(), pictures.begin(), pictures.end());
   return notes;
 }

@@ -13,16 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// WHAT_N_NAME without extension; N counts from 1.
-std::string fileOfFault(const std::string& what, std::size_t fault, const std::string& name) {
-  constexpr std::size_t kLongest = 100;
-  std::string safe = name.substr(0, kLongest);
-  for (char& c : safe)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.')
-      c = '_';
-  return what + "_" + std::to_string(fault + 1) + "_" + (safe.empty() ? "fault" : safe);
-}
-
 FaultStick closed(const Points& ring) {
   FaultStick line{ring};
   if (!ring.empty())
@@ -64,6 +54,15 @@ UnitNames unitNames(const OptionValues& values) {
     if (unit.size() > 16 || !std::all_of(unit.begin(), unit.end(), [](unsigned char c) { return std::isalnum(c) != 0; }))
       throw UsageError("'" + unit + "' is no name of a unit: up to 16 letters and digits, such as m, ft or ms");
   return units;
+}
+
+std::string fileOfFault(const std::string& what, std::size_t fault, const std::string& name) {
+  constexpr std::size_t kLongest = 100;
+  std::string safe = name.substr(0, kLongest);
+  for (char& c : safe)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.')
+      c = '_';
+  return what + "_" + std::to_string(fault + 1) + "_" + (safe.empty() ? "fault" : safe);
 }
 
 void writeProfiles(const fs::path& dir, const ReconstructionResult& result, const UnitNames& units) {

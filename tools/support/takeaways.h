@@ -27,4 +27,7 @@ void writeProfiles(const std::filesystem::path& dir, const ReconstructionResult&
 /// where there are none.
 void writePolygons(const std::filesystem::path& dir, const ReconstructionResult& result);
 
+/// A fault's file: WHAT_N_NAME without extension; N counts from 1.
+std::string fileOfFault(const std::string& what, std::size_t fault, const std::string& name);
+
 } // namespace graben

@@ -2,9 +2,11 @@
 
 #include "graben/analysis/bridges.h"
 #include "graben/core/threads.h"
+#include "graben/mesh/normals.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace graben {
 
@@ -52,6 +54,39 @@ void toPieces(const TriangleMesh& mesh, const std::vector<double>& distance, dou
   });
 }
 
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+
+std::vector<float> residuals(const TriangleMesh& mesh, const Points& picks, const PickDistances& found, double z_scale, unsigned threads) {
+  std::vector<float> signed_distance(picks.size(), kNone);
+  parallelFor(picks.size(), 1 << 14, threads, [&](std::size_t p) {
+    if (found.triangle[p] < 0)
+      return;
+    const Triangle& t = mesh.triangles[static_cast<std::size_t>(found.triangle[p])];
+    const bool below = areaNormal(mesh, t).dot(picks[p] - mesh.vertices[static_cast<std::size_t>(t[0])]) < 0.0;
+    signed_distance[p] = static_cast<float>((below ? -found.distance[p] : found.distance[p]) / z_scale);
+  });
+  return signed_distance;
+}
+
+std::vector<float> residualAtVertices(const TriangleMesh& mesh, const std::vector<Index>& nearest, const std::vector<float>& residual,
+                                      const std::vector<PickReason>& reasons) {
+  std::vector<double> sum(mesh.vertices.size(), 0.0);
+  std::vector<std::uint32_t> count(mesh.vertices.size(), 0);
+  for (std::size_t p = 0; p < nearest.size(); ++p) {
+    if (nearest[p] < 0 || reasons[p] != PickReason::Good)
+      continue;
+    for (const Index v : mesh.triangles[static_cast<std::size_t>(nearest[p])]) {
+      sum[static_cast<std::size_t>(v)] += static_cast<double>(residual[p]);
+      ++count[static_cast<std::size_t>(v)];
+    }
+  }
+  std::vector<float> mean(mesh.vertices.size(), kNone);
+  for (std::size_t v = 0; v < mean.size(); ++v)
+    if (count[v] > 0)
+      mean[v] = static_cast<float>(sum[v] / count[v]);
+  return mean;
+}
+
 /// The share of the picks not set aside that have the surface within reach.
 double coverage(const std::vector<double>& distance, const std::vector<PickReason>& reasons, double reach) {
   std::size_t used = 0;
@@ -76,15 +111,19 @@ void evaluate(const FinishedSurface& surface, unsigned threads, ReconstructionRe
     report.warnings.push_back("The mesh has topological faults; see topology in the report.");
 }
 
-std::vector<Index> evaluatePicks(const TriangleMesh& mesh, const JudgingPicks& picks, unsigned threads, ReconstructionReport& report) {
+PicksOnSurface evaluatePicks(TriangleMesh& mesh, const JudgingPicks& picks, unsigned threads, ReconstructionReport& report) {
   if (mesh.empty())
-    return std::vector<Index>(picks.points.size(), -1);
+    return {std::vector<Index>(picks.points.size(), -1), std::vector<float>(picks.points.size(), kNone)};
   PickDistances found = pickDistances(mesh, picks.points, threads);
   report.coverage = coverage(found.distance, picks.reasons, report.used.rho + report.used.delta);
   report.zone_after_fit = approximationError(found.distance, picks.zone, threads);
+  PicksOnSurface on_surface;
+  on_surface.residual = residuals(mesh, picks.points, found, report.used.z_scale, threads);
+  mesh.scalars["residual"] = residualAtVertices(mesh, found.triangle, on_surface.residual, picks.reasons);
   toPieces(mesh, found.distance, report.used.fault_reach, threads, found.triangle);
   report.all_picks = approximationError(std::move(found.distance), threads);
-  return std::move(found.triangle);
+  on_surface.piece = std::move(found.triangle);
+  return on_surface;
 }
 
 } // namespace graben

@@ -33,8 +33,14 @@ struct JudgingPicks {
   const std::vector<PickReason>& reasons;
 };
 
-/// Fills in the picks' distances to the finished mesh.
-/// \return the piece nearest to each pick, -1 where none is within the report's fault reach
-std::vector<Index> evaluatePicks(const TriangleMesh& mesh, const JudgingPicks& picks, unsigned threads, ReconstructionReport& report);
+/// Where picks lie about the surface; one entry a pick.
+struct PicksOnSurface {
+  std::vector<Index> piece;    ///< the nearest, -1 where none is within the report's fault reach
+  std::vector<float> residual; ///< distance to the surface in z units, positive above it; NaN for a pick that is not finite
+};
+
+/// Fills in the picks' distances to the finished mesh, and its field `residual`: for each vertex the mean over the picks not set aside that lie at its
+/// triangles, NaN where there are none.
+PicksOnSurface evaluatePicks(TriangleMesh& mesh, const JudgingPicks& picks, unsigned threads, ReconstructionReport& report);
 
 } // namespace graben

@@ -302,14 +302,15 @@ void ReconstructionJob::bringBackGivenPicks() {
   zone_ = zonePicks(picks_.points, faults_, result_.report.used.zone_width, options_.threads);
 }
 
-void ReconstructionJob::handOutPicks(const std::vector<Index>& pieces) {
+void ReconstructionJob::handOutPicks(PicksOnSurface on_surface) {
   parallelFor(picks_.points.size(), 1 << 14, options_.threads, [&](std::size_t i) {
     picks_.points[i] = result_.frame.toUser(picks_.points[i]);
     normals_[i] = result_.frame.normalToUser(normals_[i]);
   });
   result_.picks = inInputOrder(picks_, std::exchange(picks_.points, {}));
   result_.pick_normals = inInputOrder(picks_, std::exchange(normals_, {}));
-  result_.pick_piece = inInputOrder(picks_, pieces);
+  result_.pick_piece = inInputOrder(picks_, on_surface.piece);
+  result_.pick_residual = inInputOrder(picks_, on_surface.residual);
   result_.pick_reason = inInputOrder(picks_, reasons_);
 }
 
@@ -322,9 +323,9 @@ void ReconstructionJob::finish() {
     normals_ = std::move(planes_.normals);
   planes_ = TangentPlanes();
   measureSurface();
-  const std::vector<Index> pieces = evaluatePicks(cut_.mesh, {picks_.points, zone_, reasons_}, options_.threads, result_.report);
+  PicksOnSurface on_surface = evaluatePicks(cut_.mesh, {picks_.points, zone_, reasons_}, options_.threads, result_.report);
   if (options_.keep_picks)
-    handOutPicks(pieces);
+    handOutPicks(std::move(on_surface));
   picks_ = OrderedPicks();
   for (std::size_t f = 0; f < faults_.size(); ++f)
     result_.faults.push_back(toUserFrame(faults_.fault(f), result_.frame));

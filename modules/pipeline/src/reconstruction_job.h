@@ -3,6 +3,7 @@
 #include "graben/pipeline/horizon_reconstruction.h"
 #include "graben/pipeline/stage_clock.h"
 
+#include "evaluation.h"
 #include "given_picks.h"
 #include "ordered_picks.h"
 
@@ -47,7 +48,7 @@ private:
   double throwInterval() const;
   void readThrowsOff(const EdgeAdjacency& adjacency);
   void bringBackGivenPicks();
-  void handOutPicks(const std::vector<Index>& pieces);
+  void handOutPicks(PicksOnSurface on_surface);
 
   // From planes to the surface (surface_stages.cpp)
   SheetMesh extract();

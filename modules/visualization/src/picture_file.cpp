@@ -36,17 +36,21 @@ void writePicture(vtkRenderWindow* window, const std::string& png) {
   if (bytes == nullptr || bytes->GetNumberOfValues() == 0)
     throw Error("drawing a picture", "the display gave back no image");
 
-  const std::string beside = png + "." + std::to_string(getpid()) + ".part";
+  writePictureBytes(std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())), png);
+}
+
+void writePictureBytes(const std::string& bytes, const std::string& path) {
+  const std::string beside = path + "." + std::to_string(getpid()) + ".part";
   std::ofstream file(beside, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
   std::error_code failure;
   if (file)
-    std::filesystem::rename(beside, png, failure);
+    std::filesystem::rename(beside, path, failure);
   if (!file || failure) {
     std::error_code ignored;
     std::filesystem::remove(beside, ignored);
-    throw IoError(png, "the picture could not be written; check that the folder exists and has room");
+    throw IoError(path, "the picture could not be written; check that the folder exists and has room");
   }
 }
 

@@ -24,10 +24,8 @@ protected:
     ASSERT_EQ(run("synthesize", "--quiet --output " + folder + " " + options).code, 0);
   }
 
-  /// Runs the tool where no display can be had, which saves the time for pictures.
-  test::Outcome reconstruct(const std::string& arguments) const {
-    return run("reconstruct", arguments, "DISPLAY= PATH=/nowhere");
-  }
+  /// Runs the tool without pictures, which saves the time for them.
+  test::Outcome reconstruct(const std::string& arguments) const { return run("reconstruct", arguments + " --pictures none"); }
 };
 
 TEST_F(ReconstructResults, FolderHoldsAllThatGoesWithTheSurface) {
@@ -43,10 +41,11 @@ TEST_F(ReconstructResults, FolderHoldsAllThatGoesWithTheSurface) {
               IsSubsetOf(files));
   EXPECT_EQ(content("out/results/surface.ply"), content("top.ply"));
   EXPECT_THAT(content("top.ply"), HasSubstr("property double x"));
-  for (const std::string picture : {"map.png", "oblique.png", "pieces.png"})
-    if (outcome.errors.find("No pictures: ") == std::string::npos) {
-      EXPECT_THAT(content("out/results/" + picture), StartsWith("\x89PNG")) << picture;
-    }
+  for (const std::string picture : {"map", "pieces", "residuals", "section_1_fault_1", "throw_profile_2_fault_2", "allan_1_fault_1"}) {
+    EXPECT_THAT(content("out/results/" + picture + ".png"), StartsWith("\x89PNG")) << picture;
+    EXPECT_THAT(content("out/results/" + picture + ".svg"), StartsWith("<?xml")) << picture;
+  }
+  EXPECT_THAT(content("out/results/oblique.png"), StartsWith("\x89PNG"));
 
   const TriangleMesh top = readMesh(path("top.ply"));
   EXPECT_EQ(top.normals.size(), top.vertices.size());
@@ -64,12 +63,19 @@ TEST_F(ReconstructResults, FolderHoldsAllThatGoesWithTheSurface) {
   EXPECT_FALSE(readMesh(path("out/results/fault_2_fault_2.ts")).empty());
 }
 
-TEST_F(ReconstructResults, WithoutADisplaySaysSoAndWritesTheRest) {
+TEST_F(ReconstructResults, PicturesAreThoseAskedForAndNeedNoDisplay) {
   synthesize("s", "--kind normal --picks 1000");
-  const test::Outcome outcome =
-      reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --results r");
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_THAT(outcome.errors, HasSubstr("note: No pictures: "));
+  const std::string job = "--quiet --horizon s/horizon.xyz --fault s/fault_1.ts --results ";
+  ASSERT_EQ(run("reconstruct", job + "p --pictures map,throws --picture-formats png,pdf", "DISPLAY= PATH=/nowhere").code, 0);
+  EXPECT_THAT((std::set<std::string>{"map.png", "map.pdf", "throw_profile_1_fault_1.png", "throw_profile_1_fault_1.pdf"}), IsSubsetOf(names("p")));
+  EXPECT_EQ(names("p").count("pieces.png") + names("p").count("map.svg"), 0U);
+  for (const std::string wrong : {"--pictures maps", "--pictures none,map", "--picture-formats jpg"}) {
+    const test::Outcome outcome = run("reconstruct", job + "q " + wrong);
+    EXPECT_EQ(outcome.code, 2) << wrong;
+    EXPECT_THAT(outcome.errors, HasSubstr("is not one of")) << wrong;
+  }
+  EXPECT_EQ(names().count("q"), 0U);
+  ASSERT_EQ(run("reconstruct", job + "r --pictures none").code, 0);
   EXPECT_EQ(names("r"),
             (std::set<std::string>{"cutoffs_1_fault_1.pol", "fault_1_fault_1.ts", "fault_polygons.csv", "fault_polygons.dbf", "fault_polygons.geojson",
                                    "fault_polygons.shp", "fault_polygons.shx", "gap_1_fault_1.pol", "picks.pcd", "piece_1.ts", "piece_2.ts",

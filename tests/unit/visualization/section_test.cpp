@@ -84,11 +84,10 @@ TEST(CutMesh, RefusesALineWithoutDirection) {
   EXPECT_TRUE(cutMesh(TriangleMesh(), {{1, 1, 0}, {2, 1, 0}}).empty());
 }
 
-TEST(RenderSection, DrawsTheSurfaceWhereItIs) {
-  const Offscreen screen;
-  ASSERT_TRUE(screen.available()) << screen.reason();
-  const TriangleMesh mesh = ramp(10); // one piece: blue
-  const std::string png = (std::filesystem::temp_directory_path() / ("graben_section_" + std::to_string(getpid()) + ".png")).string();
+TEST(DrawSection, ShowsTheSurfaceWhereItIs) {
+  TriangleMesh mesh = ramp(10);
+  mesh.piece.assign(mesh.vertices.size(), 0); // blue
+  const std::string stem = (std::filesystem::temp_directory_path() / ("graben_section_" + std::to_string(getpid()))).string();
   SectionScene scene;
   scene.mesh = &mesh;
   SectionOptions options;
@@ -96,8 +95,8 @@ TEST(RenderSection, DrawsTheSurfaceWhereItIs) {
   options.height = 400;
   const SectionLine line{{0.0, 4.0, 0.0}, {10.0, 4.0, 0.0}};
   const auto leftAndRight = [&] {
-    renderSection(screen, png, scene, line, options);
-    const test::Picture picture = test::readPicture(png);
+    drawSection(stem, scene, line, options);
+    const test::Picture picture = test::readPicture(stem + ".png");
     EXPECT_EQ(picture.width, 640);
     test::Picture left = picture, right = picture;
     for (int y = 0; y < picture.height; ++y)
@@ -108,12 +107,13 @@ TEST(RenderSection, DrawsTheSurfaceWhereItIs) {
   const auto [left, right] = leftAndRight();
   EXPECT_GT(left.count, 100);
   EXPECT_GT(left.y, right.y + 50.0) << "the ramp rises to the right";
-  options.z_positive = ZPositive::Down;
+  options.units.z_positive = ZPositive::Down;
   const auto [left_down, right_down] = leftAndRight();
   EXPECT_LT(left_down.y + 50.0, right_down.y);
 
-  EXPECT_THROW(renderSection(screen, png, scene, {{20, 20, 0}, {30, 20, 0}}, options), InvalidInputError);
-  std::filesystem::remove(png);
+  EXPECT_THROW(drawSection(stem, scene, {{20, 20, 0}, {30, 20, 0}}, options), InvalidInputError);
+  for (const char* extension : {".png", ".svg"})
+    EXPECT_TRUE(std::filesystem::remove(stem + extension)) << extension;
 }
 
 } // namespace

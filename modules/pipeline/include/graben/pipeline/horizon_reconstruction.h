@@ -54,7 +54,8 @@ struct ReconstructionOptions {
 /// What a reconstruction gives, in the user's frame; what is said of picks is in the order they were given in.
 struct ReconstructionResult {
   /// The whole horizon: vertex normals (up), piece labels, vertices doubled along the cuts. Scalars of each vertex: pick_distance, to the nearest pick
-  /// that no fault hides from it, in x, y units with z scaled; extrapolated, 1 where that is more than rho + delta and 0 elsewhere.
+  /// that no fault hides from it, in x, y units with z scaled; extrapolated, 1 where that is more than rho + delta and 0 elsewhere;
+  /// residual, mean distance of the picks at its triangles to the surface, positive above it, in z units, NaN where there are none.
   TriangleMesh mesh;
   std::vector<std::array<Index, 2>> vertex_faults; ///< faults each mesh vertex lies on, see CutMesh
   std::vector<FaultSurface> faults;     ///< faults as used: lofted, extended, with upward normals
@@ -63,9 +64,10 @@ struct ReconstructionResult {
                                                 ///< hanging wall is down, whichever way z grows; heave and dip slip in x, y units
   std::vector<FaultProfile> profiles;   ///< for each fault the same at even distances, with the fault's attitude
   std::vector<FaultPolygon> polygons;   ///< the areas in the map between the cutoffs of each fault, which no two share
-  Points picks;                         ///< the picks, to a few units in the last place; this and the next three are empty without keep_picks
+  Points picks;                         ///< the picks, to a few units in the last place; this and the next four are empty without keep_picks
   Points pick_normals;                  ///< oriented normal of each pick; NaN where there is none
   std::vector<Index> pick_piece;        ///< piece nearest to each pick, -1 where none is in reach
+  std::vector<float> pick_residual;     ///< distance of each pick to the surface, positive above it, in z units; NaN for one that is not finite
   std::vector<PickReason> pick_reason;  ///< why a pick took no part in the surface; Good where it did
   LocalFrame frame;                     ///< the algorithms worked in
   ReconstructionReport report;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "graben/mesh/triangle_mesh.h"
-#include "graben/visualization/offscreen.h"
+#include "graben/visualization/map_picture.h"
 
 #include <array>
 #include <string>
@@ -28,27 +28,34 @@ struct SectionSegment {
 /// \throw InvalidInputError if the points of the line do not differ in x or y or are not finite
 std::vector<SectionSegment> cutMesh(const TriangleMesh& mesh, const SectionLine& line);
 
+/// A throw to be named in a section: at both of a fault's cutoffs a line is drawn to the text's side.
+struct SectionThrow {
+  Vector3 footwall = Vector3::Zero();
+  Vector3 hanging_wall = Vector3::Zero();
+  std::string text;
+};
+
 /// What to draw; all in one frame, and must stay alive while it is drawn.
 struct SectionScene {
   const TriangleMesh* mesh = nullptr;      ///< coloured by piece where it has pieces
   std::vector<const TriangleMesh*> faults; ///< thick dark red
   std::vector<const TriangleMesh*> truth;  ///< dashed black
   const Points* picks = nullptr;           ///< those within the band are projected onto the section
+  std::vector<SectionThrow> throws = {};
 };
 
 struct SectionOptions {
-  double band = 0.0;                    ///< half width of the band of picks; 0: 1/100 of the section's length
-  ZPositive z_positive = ZPositive::Up; ///< Down lets z grow downwards
-  double vertical_exaggeration = 0.0;   ///< 0: as the content fills the picture
-  int width = 1600;                     ///< pixels
-  int height = 800;                     ///< pixels
+  double band = 0.0;                   ///< half width of the band of picks; 0: 1/100 of the section's length
+  PictureUnits units;                  ///< z_positive Down lets z grow downwards
+  double vertical_exaggeration = 0.0;  ///< 0: as the content fills the picture
+  PictureFormats formats;
+  int width = 1200;                    ///< pixels
+  int height = 640;                    ///< pixels
   std::string title;
 };
 
-/// Draws a cross-section with numbered axes and writes it as PNG, complete or not at all. Not thread-safe.
-/// \throw Error if the screen is not available; InvalidInputError as cutMesh, or if nothing meets the section;
-///        IoError if the file cannot be written
-void renderSection(const Offscreen& screen, const std::string& png, const SectionScene& scene, const SectionLine& line,
-                   const SectionOptions& options = {});
+/// Draws a cross-section with numbered axes and writes it as STEM.png, STEM.svg or STEM.pdf, each complete or not at all. Needs no display.
+/// \throw InvalidInputError as cutMesh, or if nothing meets the section or the size is out of range; IoError if a file cannot be written
+void drawSection(const std::string& stem, const SectionScene& scene, const SectionLine& line, const SectionOptions& options = {});
 
 } // namespace graben
