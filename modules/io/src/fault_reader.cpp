@@ -6,15 +6,39 @@
 #include "mesh_formats.h"
 
 #include "graben/core/errors.h"
+#include "graben/io/pick_reader.h"
 
 namespace graben {
 namespace {
+
+/// Says that a fault is points that nothing joins.
+void notePoints(FaultInput& fault) {
+  const auto& mesh = std::get<TriangleMesh>(fault.geometry);
+  if (mesh.vertices.empty())
+    throw ParseError(fault.source, 0, "holds neither triangles nor points of a fault");
+  if (mesh.triangles.empty())
+    fault.notes.push_back(fault.name + " is " + std::to_string(mesh.vertices.size()) + " points of a fault without triangles or sticks");
+}
 
 std::vector<FaultInput> faultsFromMeshes(std::vector<MeshInput> meshes, const std::string& path) {
   std::vector<FaultInput> faults;
   for (MeshInput& m : meshes)
     faults.push_back(
         {std::move(m.name), std::move(m.mesh), m.z_positive, path, std::move(m.notes), std::move(m.warnings)});
+  for (FaultInput& fault : faults)
+    notePoints(fault);
+  return faults;
+}
+
+std::vector<FaultInput> faultFromPoints(const std::string& path) {
+  PickSet points = readPicks(path);
+  FaultInput fault{stemOf(path), {}, points.z_positive, path, std::move(points.notes), std::move(points.warnings)};
+  TriangleMesh mesh;
+  mesh.vertices = std::move(points.points);
+  fault.geometry = std::move(mesh);
+  notePoints(fault);
+  std::vector<FaultInput> faults;
+  faults.push_back(std::move(fault));
   return faults;
 }
 
@@ -41,9 +65,9 @@ std::vector<FaultInput> readFaults(const std::string& path) {
   case FileFormat::Grid:
     throw ParseError(path, 0, "is a grid, not a fault (a surface or sticks)");
   case FileFormat::Pcd:
-    throw ParseError(path, 0, "is a PCD point cloud, not a fault (a surface or sticks)");
+    return faultFromPoints(path);
   default:
-    return faultsFromMeshes(readMeshes(path), path);
+    return faultsFromMeshes(readMeshesOrPoints(path), path);
   }
 }
 

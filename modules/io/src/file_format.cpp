@@ -73,7 +73,7 @@ FileFormat formatOf(std::string_view bytes, const std::string& path) {
     return FileFormat::Obj;
   static const std::map<std::string, FileFormat> by_extension = {
       {".pcd", FileFormat::Pcd},    {".ply", FileFormat::Ply},  {".vtk", FileFormat::VtkLegacy},
-      {".vtp", FileFormat::VtkXml}, {".ts", FileFormat::Gocad}, {".stl", FileFormat::Stl},
+      {".vtp", FileFormat::VtkXml}, {".vts", FileFormat::VtkXml}, {".vtu", FileFormat::VtkXml}, {".ts", FileFormat::Gocad}, {".stl", FileFormat::Stl},
       {".pl", FileFormat::Gocad},   {".vs", FileFormat::Gocad}};
   const auto found = by_extension.find(extension);
   return found == by_extension.end() ? FileFormat::Text : found->second;

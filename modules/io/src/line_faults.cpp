@@ -15,7 +15,9 @@ namespace {
 
 constexpr std::size_t most_quoted = 60;
 
-std::string quoted(std::string_view line) { return "'" + std::string(trim(line).substr(0, most_quoted)) + "'"; }
+std::string quoted(std::string_view line) {
+  return "'" + std::string(trim(line).substr(0, most_quoted)) + "'";
+}
 
 std::vector<std::string_view> fieldsOf(std::string_view line) {
   std::vector<std::string_view> fields;
@@ -87,7 +89,8 @@ std::vector<FaultInput> readBlnFaults(std::string_view text, const std::string& 
     for (std::int64_t i = 0; i < count; ++i) {
       Vector3 point;
       if (!reader.next(line))
-        throw ParseError(path, first, "the file is cut short: this line has " + std::to_string(count) + " points, the file holds " + std::to_string(i));
+        throw ParseError(path, first,
+                         "the file is cut short: this line has " + std::to_string(count) + " points, the file holds " + std::to_string(i));
       if (!pointOf(fieldsOf(line), point))
         throw ParseError(path, reader.number(), "no row x,y,z of a fault stick (a BLN file of a map has no z): " + quoted(line));
       builder.add(name, {}, std::nan(""), point);

@@ -16,7 +16,10 @@ MeshInput readPlyMesh(std::string_view bytes, const std::string& path);
 MeshInput readObjMesh(std::string_view text, const std::string& path);
 MeshInput readStlMesh(std::string_view bytes, const std::string& path);
 MeshInput readVtkMesh(std::string_view bytes, const std::string& path);
-MeshInput readVtpMesh(std::string_view bytes, const std::string& path);
+MeshInput readVtkXmlMesh(std::string_view bytes, const std::string& path);
+
+/// As readMeshes, also files whose points no triangle joins.
+std::vector<MeshInput> readMeshesOrPoints(const std::string& path);
 
 /// One writer per format; the mesh is valid.
 void writePlyMesh(const std::string& path, const TriangleMesh& mesh,

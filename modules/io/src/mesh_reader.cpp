@@ -23,7 +23,7 @@ MeshInput readOne(FileFormat format, const FileContent& content, const std::stri
   case FileFormat::VtkLegacy:
     return readVtkMesh(content.bytes(), path);
   case FileFormat::VtkXml:
-    return readVtpMesh(content.bytes(), path);
+    return readVtkXmlMesh(content.bytes(), path);
   default:
     throw ParseError(
         path, 0, "is " + describe(format) + ", not a triangle mesh (.ply .vtk .vtp .obj .stl .ts)");
@@ -61,12 +61,15 @@ void dropNotFinite(MeshInput& input) {
   input.notes.push_back(std::to_string(mesh.triangles.end() - end) +
                         " triangles with a corner that is not finite dropped");
   mesh.triangles.erase(end, mesh.triangles.end());
-  removeUnreferencedVertices(mesh);
+  if (mesh.triangles.empty())
+    mesh.vertices.erase(std::remove_if(mesh.vertices.begin(), mesh.vertices.end(), [&](const Vector3& p) { return !all_finite(p); }), mesh.vertices.end());
+  else
+    removeUnreferencedVertices(mesh);
 }
 
 } // namespace
 
-std::vector<MeshInput> readMeshes(const std::string& path) {
+std::vector<MeshInput> readMeshesOrPoints(const std::string& path) {
   const FileContent content(path);
   if (content.bytes().empty())
     throw ParseError(path, 0, "the file is empty");
@@ -77,11 +80,16 @@ std::vector<MeshInput> readMeshes(const std::string& path) {
     meshes = readGocadMeshes(textOf(content, path, storage), path);
   else
     meshes.push_back(readOne(format, content, path));
-  for (MeshInput& input : meshes) {
+  for (MeshInput& input : meshes)
     dropNotFinite(input);
+  return meshes;
+}
+
+std::vector<MeshInput> readMeshes(const std::string& path) {
+  std::vector<MeshInput> meshes = readMeshesOrPoints(path);
+  for (const MeshInput& input : meshes)
     if (input.mesh.empty())
       throw ParseError(path, 0, "holds no triangle");
-  }
   return meshes;
 }
 

@@ -23,7 +23,9 @@ char delimiterOf(std::string_view row) {
   for (const char c : {';', ','})
     if (row.find(c) != std::string_view::npos)
       return c;
-  return row.find('\t') != std::string_view::npos && row.find("\t\t") == std::string_view::npos && trim(row).find(' ') == std::string_view::npos ? '\t' : ' ';
+  return row.find('\t') != std::string_view::npos && row.find("\t\t") == std::string_view::npos && trim(row).find(' ') == std::string_view::npos
+             ? '\t'
+             : ' ';
 }
 
 std::size_t numbersIn(const std::vector<std::string_view>& fields) {
@@ -33,7 +35,9 @@ std::size_t numbersIn(const std::vector<std::string_view>& fields) {
   }));
 }
 
-bool isMark(std::string_view line) { return trim(line).substr(0, 1) == ">"; }
+bool isMark(std::string_view line) {
+  return trim(line).substr(0, 1) == ">";
+}
 
 /// What stands before the first row of numbers.
 TextLayout layoutOf(std::string_view text) {
@@ -138,7 +142,8 @@ private:
     std::vector<std::string_view> fields;
     splitFields(line, delimiterOf(line), fields);
     double value = 0.0;
-    return fields.size() >= 3 && std::all_of(fields.begin(), fields.begin() + 3, [&](std::string_view f) { return parseField(f, value) && value == 999.0; });
+    return fields.size() >= 3 &&
+           std::all_of(fields.begin(), fields.begin() + 3, [&](std::string_view f) { return parseField(f, value) && value == 999.0; });
   }
 
   void add(std::string_view line, std::size_t number) {

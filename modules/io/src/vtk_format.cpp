@@ -1,5 +1,6 @@
 #include "file_content.h"
 #include "mesh_formats.h"
+#include "vtk_cells.h"
 
 #include "graben/core/errors.h"
 #include "graben/io/atomic_file.h"
@@ -15,12 +16,17 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataWriter.h>
 #include <vtkSmartPointer.h>
+#include <vtkStructuredGrid.h>
 #include <vtkTriangleFilter.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLStructuredGridReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -170,6 +176,77 @@ MeshInput meshOf(vtkPolyData& data, const std::string& path) {
   return input;
 }
 
+/// The dataset's type as the file's first element has it.
+std::string vtkXmlType(std::string_view bytes) {
+  const std::size_t element = bytes.find("<VTKFile");
+  const std::string_view tag = element == std::string_view::npos ? std::string_view{} : bytes.substr(element, bytes.find('>', element) - element);
+  const std::size_t type = tag.find("type=");
+  if (type == std::string_view::npos || type + 6 >= tag.size())
+    return {};
+  const std::size_t end = tag.find(tag[type + 5], type + 6);
+  return std::string(tag.substr(type + 6, end == std::string_view::npos ? end : end - type - 6));
+}
+
+template <typename Reader>
+vtkSmartPointer<Reader> readXml(std::string_view bytes) {
+  auto reader = vtkSmartPointer<Reader>::New();
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(std::string(bytes));
+  reader->Update();
+  return reader;
+}
+
+void addPolygon(vtkCellArray& polygons, const std::vector<double>& corners) {
+  std::vector<vtkIdType> ids(corners.begin(), corners.end());
+  polygons.InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+}
+
+vtkSmartPointer<vtkPolyData> polygonsOf(vtkPointSet& set, vtkCellArray& polygons) {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(set.GetPoints());
+  data->SetPolys(&polygons);
+  data->GetPointData()->ShallowCopy(set.GetPointData());
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> polygonsOf(vtkStructuredGrid& grid, const std::string& path) {
+  int size[3] = {0, 0, 0};
+  grid.GetDimensions(size);
+  vtkNew<vtkCellArray> polygons;
+  const auto add = [&](const std::vector<double>& corners) { addPolygon(*polygons, corners); };
+  const std::array<std::size_t, 3> nodes{static_cast<std::size_t>(std::max(size[0], 0)), static_cast<std::size_t>(std::max(size[1], 0)),
+                                         static_cast<std::size_t>(std::max(size[2], 0))};
+  if (!addGridPolygons(nodes, add))
+    throw ParseError(path, 0, "is a structured grid of " + gridSize(nodes) + " points, not a surface");
+  return polygonsOf(static_cast<vtkPointSet&>(grid), *polygons);
+}
+
+vtkSmartPointer<vtkPolyData> polygonsOf(vtkUnstructuredGrid& grid, const std::string& path) {
+  vtkNew<vtkCellArray> polygons;
+  const auto add = [&](const std::vector<double>& corners) { addPolygon(*polygons, corners); };
+  vtkCellArray* cells = grid.GetCells();
+  const vtkIdType count = cells == nullptr ? 0 : cells->GetNumberOfCells();
+  vtkIdType corners = 0;
+  for (vtkIdType c = 0; c < count; ++c) {
+    if (cells->GetCellSize(c) < 0)
+      throw ParseError(path, 0, "the offsets of the cells contradict one another");
+    corners += cells->GetCellSize(c);
+  }
+  if (cells != nullptr && corners != cells->GetNumberOfConnectivityIds())
+    throw ParseError(path, 0, "the offsets of the cells contradict one another");
+  vtkNew<vtkIdList> ids;
+  std::vector<double> cell;
+  std::size_t others = 0;
+  for (vtkIdType c = 0; c < count; ++c) {
+    cells->GetCellAtId(c, ids);
+    cell.assign(ids->begin(), ids->end());
+    others += addCellPolygons(grid.GetCellType(c), cell, add) ? 0 : 1;
+  }
+  if (polygons->GetNumberOfCells() == 0)
+    throw ParseError(path, 0, "holds no surface: its " + std::to_string(others) + " cells are volumes, lines or points");
+  return polygonsOf(static_cast<vtkPointSet&>(grid), *polygons);
+}
+
 vtkNew<vtkPolyData> polyDataOf(const TriangleMesh& mesh) {
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);
@@ -243,19 +320,32 @@ void runWriter(Writer& writer, const std::string& path, const TriangleMesh& mesh
 
 } // namespace
 
-MeshInput readVtpMesh(std::string_view bytes, const std::string& path) {
+MeshInput readVtkXmlMesh(std::string_view bytes, const std::string& path) {
   const CatchMessages messages;
-  vtkNew<vtkXMLPolyDataReader> reader;
-  reader->ReadFromInputStringOn();
-  reader->SetInputString(std::string(bytes));
+  const std::string type = vtkXmlType(bytes);
+  const auto failed = [&](const std::string& what) {
+    if (messages->caught())
+      throw ParseError(path, 0, "cannot be read as VTK " + what + ": " + messages->message());
+  };
   try {
-    reader->Update();
+    if (type == "StructuredGrid") {
+      const auto grid = readXml<vtkXMLStructuredGridReader>(bytes);
+      failed("structured grid");
+      return meshOf(*polygonsOf(*grid->GetOutput(), path), path);
+    }
+    if (type == "UnstructuredGrid") {
+      const auto grid = readXml<vtkXMLUnstructuredGridReader>(bytes);
+      failed("unstructured grid");
+      return meshOf(*polygonsOf(*grid->GetOutput(), path), path);
+    }
+    const auto polygons = readXml<vtkXMLPolyDataReader>(bytes);
+    failed("polygons");
+    if (polygons->GetErrorCode() != 0)
+      throw ParseError(path, 0, "cannot be read as VTK polygons");
+    return meshOf(*polygons->GetOutput(), path);
   } catch (const std::bad_alloc&) {
     throw ParseError(path, 0, "the file promises more data than memory can hold");
   }
-  if (messages->caught() || reader->GetErrorCode() != 0)
-    throw ParseError(path, 0, "cannot be read as VTK polygons: " + messages->message());
-  return meshOf(*reader->GetOutput(), path);
 }
 
 void writeVtkMesh(const std::string& path, const TriangleMesh& mesh,

@@ -2,11 +2,13 @@
 #include "file_content.h"
 #include "mesh_formats.h"
 #include "numbers.h"
+#include "vtk_cells.h"
 #include "vtk_legacy_cursor.h"
 
 #include "graben/core/errors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -32,7 +34,10 @@ private:
   void readSection(const std::string& key);
   void readPoints();
   Cells readCells();
+  void readCellTypes();
   void addPolygons(const Cells& cells, bool strips);
+  void addPolygon(const std::vector<double>& corners);
+  void addGrid();
   Index corner(double value) const;
   void readAttribute(const std::string& key);
   void readScalars();
@@ -44,6 +49,8 @@ private:
   VtkLegacyCursor cursor_;
   const std::string& path_;
   MeshInput input_;
+  Cells cells_;                          ///< of an unstructured grid
+  std::array<std::size_t, 3> grid_{};    ///< points of a structured one each way
   double version_ = 0.0;
   bool binary_ = false;
   std::size_t rows_ = 0;     ///< of the attributes that follow
@@ -78,8 +85,9 @@ void VtkLegacyReader::readStart() {
   if (form != "ascii" && form != "binary")
     cursor_.fail("a legacy VTK file must be ASCII or BINARY");
   const bool dataset = toLower(cursor_.word()) == "dataset";
-  if (!dataset || toLower(cursor_.word()) != "polydata")
-    cursor_.fail("is no legacy VTK file with DATASET POLYDATA");
+  const std::string type = toLower(cursor_.word());
+  if (!dataset || (type != "polydata" && type != "structured_grid" && type != "unstructured_grid"))
+    cursor_.fail("is no legacy VTK file with DATASET POLYDATA, STRUCTURED_GRID or UNSTRUCTURED_GRID");
   binary_ = form == "binary";
   cursor_.setBinary(binary_);
 }
@@ -148,6 +156,35 @@ void VtkLegacyReader::addPolygons(const Cells& cells, bool strips) {
       input_.mesh.triangles.push_back(turned ? Triangle{b, a, last} : Triangle{a, b, last});
     }
   }
+}
+
+void VtkLegacyReader::addPolygon(const std::vector<double>& corners) {
+  addPolygons({{0.0, static_cast<double>(corners.size())}, corners}, false);
+}
+
+void VtkLegacyReader::readCellTypes() {
+  const std::size_t count = cursor_.count();
+  const std::vector<double> types = cursor_.numbers(count, 1, BinaryType::Int32);
+  std::size_t others = 0;
+  for (std::size_t c = 0; c < types.size() && c + 1 < cells_.offsets.size(); ++c) {
+    const double begin = cells_.offsets[c];
+    const double end = cells_.offsets[c + 1];
+    if (!(begin >= 0.0 && begin <= end && end <= static_cast<double>(cells_.corners.size())))
+      cursor_.fail("the offsets of the cells contradict one another");
+    const auto at = cells_.corners.begin();
+    const std::vector<double> corners(at + static_cast<std::ptrdiff_t>(begin), at + static_cast<std::ptrdiff_t>(end));
+    others += addCellPolygons(static_cast<int>(types[c]), corners, [this](const auto& polygon) { addPolygon(polygon); }) ? 0 : 1;
+  }
+  if (others > 0)
+    input_.notes.push_back(std::to_string(others) + " cells that are no polygons ignored");
+}
+
+void VtkLegacyReader::addGrid() {
+  const std::size_t count = input_.mesh.vertices.size();
+  const bool small = std::all_of(grid_.begin(), grid_.end(), [count](std::size_t n) { return n <= count; });
+  if (!small || grid_[0] * grid_[1] * grid_[2] != count ||
+      !addGridPolygons(grid_, [this](const auto& polygon) { addPolygon(polygon); }))
+    throw ParseError(path_, 0, "is a structured grid of " + gridSize(grid_) + " points, not a surface of as many as it holds");
 }
 
 void VtkLegacyReader::store(const std::string& name, std::size_t columns,
@@ -227,6 +264,13 @@ void VtkLegacyReader::readSection(const std::string& key) {
       "global_ids", "pedigree_ids", "lookup_table", "color_scalars"};
   if (key == "points") {
     readPoints();
+  } else if (key == "dimensions") {
+    for (std::size_t& size : grid_)
+      size = cursor_.count();
+  } else if (key == "cells") {
+    cells_ = readCells();
+  } else if (key == "cell_types") {
+    readCellTypes();
   } else if (key == "polygons" || key == "triangle_strips") {
     addPolygons(readCells(), key == "triangle_strips");
   } else if (key == "vertices" || key == "lines") {
@@ -252,6 +296,8 @@ MeshInput VtkLegacyReader::read() {
   input_.name = stemOf(path_);
   for (std::string_view key = cursor_.word(); !key.empty(); key = cursor_.word())
     readSection(toLower(key));
+  if (grid_ != std::array<std::size_t, 3>{})
+    addGrid();
   if (!ignored_.empty())
     input_.notes.push_back("fields ignored: " + ignored_);
   if (polygons_ > 0)

@@ -168,8 +168,7 @@ TEST(HostileFiles, wrongKindsAreNamed) {
   const TempFolder folder;
   EXPECT_THAT(meshes(folder.write("a.ts", "1 2 3\n4 5 6\n")), HasSubstr("a.ts:1: "));
   EXPECT_THAT(meshes(folder.write("a.dat", "1 2 3\n4 5 6\n")), HasSubstr("not a triangle mesh"));
-  EXPECT_THAT(faults(folder.write("a.pcd", "# .PCD v0.7\nVERSION 0.7\n")),
-              HasSubstr("not a fault"));
+  EXPECT_THAT(faults(folder.write("a.pcd", "# .PCD v0.7\nVERSION 0.7\n")), HasSubstr("no DATA line"));
   EXPECT_THAT(picks(folder.write("b.ply", "ply\nformat ascii 1.0\nelement vertex 0\nend_header\n")),
               HasSubstr("no property x"));
   EXPECT_THAT(picks(folder.write("u.xyz", std::string("\xFF\xFE"

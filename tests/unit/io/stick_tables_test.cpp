@@ -32,11 +32,15 @@ std::string failure(const std::string& content, const std::string& name = "f.dat
   return {};
 }
 
-const std::vector<FaultStick>& sticksOf(const FaultInput& fault) { return std::get<std::vector<FaultStick>>(fault.geometry); }
+const std::vector<FaultStick>& sticksOf(const FaultInput& fault) {
+  return std::get<std::vector<FaultStick>>(fault.geometry);
+}
 
 constexpr int sticks = 5, nodes = 4;
 
-Vector3 node(int s, int n) { return {461000.25 + 40.0 * n + 3.0 * s, 5931000.5 + 200.0 * s, -1700.5 - 150.0 * n}; }
+Vector3 node(int s, int n) {
+  return {461000.25 + 40.0 * n + 3.0 * s, 5931000.5 + 200.0 * s, -1700.5 - 150.0 * n};
+}
 
 /// Rows of the fault as \a row writes them.
 std::string rows(const std::function<std::string(int stick, int node, const std::string& x, const std::string& y, const std::string& z)>& row,
@@ -70,13 +74,16 @@ void expectFault(const FaultInput& fault, const std::string& name) {
 
 using S = std::string;
 
-S of(int number) { return std::to_string(number); }
+S of(int number) {
+  return std::to_string(number);
+}
 
 TEST(StickTables, AreReadAsProgramsWriteThem) {
   const std::pair<const char*, std::string> files[] = {
       {"x y z name part stick", rows([](int s, int, S x, S y, S z) { return "   " + x + " " + y + "  " + z + " F1 1 " + of(s) + " "; })},
-      {"Kingdom: line trace x y z name stick line",
-       rows([](int s, int n, S x, S y, S z) { return of(700 + s) + " " + of(600 + 7 * n) + " " + x + " " + y + " " + z + " F1 " + of(s) + " " + of(700 + s); })},
+      {"Kingdom: line trace x y z name stick line", rows([](int s, int n, S x, S y, S z) {
+         return of(700 + s) + " " + of(600 + 7 * n) + " " + x + " " + y + " " + z + " F1 " + of(s) + " " + of(700 + s);
+       })},
       {"x y z stick node", rows([](int s, int n, S x, S y, S z) { return x + "\t" + y + "\t" + z + "\t" + of(s) + "\t" + of(n); })},
       {"x y z stick node from 0", rows([](int s, int n, S x, S y, S z) { return x + " " + y + " " + z + " " + of(s - 1) + " " + of(n - 1); })},
       {"x y z node", rows([](int, int n, S x, S y, S z) { return x + " " + y + " " + z + " " + of(n); })},
@@ -84,11 +91,13 @@ TEST(StickTables, AreReadAsProgramsWriteThem) {
       {"stick x y z", rows([](int s, int, S x, S y, S z) { return of(s) + " " + x + " " + y + " " + z; })},
       {"a header", S("# \"X\"\t\"Y\"\t\"Z\"\t\"StickNr\"\t\"NodeNr\"\n") +
                        rows([](int s, int n, S x, S y, S z) { return x + "\t" + y + "\t" + z + "\t" + of(s) + "\t" + of(n); })},
-      {"names in a header, other order", S("Stick,Fault,Z,X,Y\n") + rows([](int s, int, S x, S y, S z) { return of(s) + ",F1," + z + "," + x + "," + y; })},
+      {"names in a header, other order",
+       S("Stick,Fault,Z,X,Y\n") + rows([](int s, int, S x, S y, S z) { return of(s) + ",F1," + z + "," + x + "," + y; })},
       {"GMT", S("# @VGMT1.0\n") + rows([](int, int, S x, S y, S z) { return x + " " + y + " " + z; }, "> -L\"stick\"\n")},
       {"POLY_ID", S("X_UTME,Y_UTMN,Z_TVDSS,POLY_ID\n") + rows([](int s, int, S x, S y, S z) { return x + "," + y + "," + z + "," + of(s); })},
-      {"Z-MAP+", S("!\n! exported\n!\n@FREE POINT, DATA, 80, 1\nX (EASTING), 1, 1, 1, 20, 7, , ,\nY (NORTHING), 2, 2, 1, 20, 7, , ,\nZ VALUE, 3, 3, 1, 20, 7, , ,\n"
-                     "SEG I.D., 4, 4, 1, 10, 0, , ,\n@\n") +
+      {"Z-MAP+", S("!\n! exported\n!\n@FREE POINT, DATA, 80, 1\nX (EASTING), 1, 1, 1, 20, 7, , ,\nY (NORTHING), 2, 2, 1, 20, 7, , ,\nZ VALUE, 3, 3, "
+                   "1, 20, 7, , ,\n"
+                   "SEG I.D., 4, 4, 1, 10, 0, , ,\n@\n") +
                      rows([](int s, int, S x, S y, S z) { return x + " " + y + " " + z + " " + of(s); })},
       {"DUG", rows([](int, int, S x, S y, S z) { return x + " " + y + " " + z; }, "\n")},
       {"a leading number, ends", rows([](int s, int n, S x, S y, S z) { return of(4 * s + n) + " " + x + " " + y + " " + z; }, "999 999 999 999\n")},
@@ -113,7 +122,9 @@ TEST(StickTables, SayWhichColumnsTheyTook) {
 }
 
 TEST(StickTables, HoldSeveralFaultsByName) {
-  const auto named = [](const S& name) { return rows([name](int s, int, S x, S y, S z) { return x + "," + y + "," + z + "," + name + "," + of(s); }); };
+  const auto named = [](const S& name) {
+    return rows([name](int s, int, S x, S y, S z) { return x + "," + y + "," + z + "," + name + "," + of(s); });
+  };
   const auto faults = read("X,Y,Z,name,stick\n" + named("North") + named("\"South, lower\"") + named("North 2"), "f.csv");
   ASSERT_THAT(faults, SizeIs(3));
   EXPECT_EQ(faults[0].name, "North");

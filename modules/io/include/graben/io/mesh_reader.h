@@ -16,8 +16,8 @@ struct MeshInput {
   std::vector<std::string> warnings = {}; ///< sentences for the user: what is probably not as it was meant
 };
 
-/// Reads the triangle meshes of a .ply, .vtk, .vtp, .obj, .stl or .ts file; content decides over
-/// the extension.
+/// Reads the triangle meshes of a .ply, .vtk, .vtp, .vtu, .vts, .obj, .stl or .ts file; content decides over
+/// the extension. Grids are split into triangles; cells of a .vtu that are no polygons are ignored.
 ///
 /// A GOCAD file gives one mesh per TSurf, any other file one mesh. Polygons with more than three
 /// corners are split into a fan. Normals, the label `piece` and further numeric vertex fields (as
