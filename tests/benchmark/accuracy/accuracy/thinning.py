@@ -1,8 +1,6 @@
 """Real picks thinned to lines, and what a surface made of those says of the picks left out. Needs numpy and scipy."""
 
 import csv
-from math import ceil
-
 import numpy
 from scipy.interpolate import RBFInterpolator
 from scipy.spatial import Delaunay, cKDTree
@@ -75,7 +73,8 @@ def heights_off(surface, places):
 
 def spline_off(picks, places):
     """The same of a thin-plate spline that knows no faults, through at most MOST_NODES of the picks."""
-    nodes = picks[:: ceil(len(picks) / MOST_NODES)]
+    nodes = picks[numpy.unique(numpy.round(picks[:, :2], 1), axis=0, return_index=True)[1]]
+    nodes = nodes[numpy.random.default_rng(1).permutation(len(nodes))[:MOST_NODES]]
     middle, scale = nodes[:, :2].mean(axis=0), numpy.ptp(nodes[:, :2], axis=0).max()
     spline = RBFInterpolator((nodes[:, :2] - middle) / scale, nodes[:, 2], kernel="thin_plate_spline")
     return numpy.abs(spline((places[:, :2] - middle) / scale) - places[:, 2])
