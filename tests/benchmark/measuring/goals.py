@@ -1,6 +1,6 @@
 """The goals of speed and memory, each with what was measured."""
 
-from . import clouds, tools
+from . import clouds, jobs, tools
 
 MILLION = 1000000
 
@@ -112,4 +112,5 @@ class Goals:
         self.reading()
         self.faults()
         self.against_peers("object", "closed object, 1 M points, no fault")
+        jobs.goals(self.add, self.runs)
         return self.rows
