@@ -42,6 +42,11 @@ void say(const ReconstructionResult& result) {
                 r.layout.noise, 100.0 * r.layout.share);
   if (r.wrong_side_picks + r.smeared_picks > 0)
     std::printf("set aside  %zu picks on the wrong side of a fault, %zu smeared along one\n", r.wrong_side_picks, r.smeared_picks);
+  if (r.picks_at_faults + r.stray_picks > 0)
+    std::printf("set aside  %zu picks within the clearance of a fault, %zu strays\n", r.picks_at_faults, r.stray_picks);
+  for (const ShadowAtFault& s : r.shadows.found)
+    std::printf("shadow     picks stop %.3g before %s on the %s, along %.0f %% of it; the surface %s\n", s.width, s.fault.c_str(),
+                s.hanging_wall ? "hanging wall" : "footwall", 100.0 * s.share, s.places > 0 ? "is carried on to it" : "ends there");
   if (r.measurements > 0)
     std::printf("dips       %zu of %zu measurements used\n", r.measurements - r.measurements_not_usable - r.measurements_set_aside, r.measurements);
   std::printf("surface    %zu triangles in %zu pieces, voxel size %.4g\n", r.topology.triangles, r.topology.components, r.used.voxel_size);

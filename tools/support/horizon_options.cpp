@@ -119,7 +119,9 @@ void declareParameterOptions(OptionParser& parser) {
     .value("flip-angle", "DEG", "triangles turned farther than this from the planes around are left out; 180: none", "60")
     .value("zone-width", "W", "the zone fitted to the faults reaches this far from them")
     .value("fault-reach", "D", "farthest the surface is carried on from the last picks to a fault; each vertex is written with its distance to the "
-                               "nearest pick and whether that is beyond the data (default: six pick distances, more where picks are uneven)")
+                               "nearest pick and whether that is beyond the data (default: as far as picks stop before it, up to a sixth of the "
+                               "cloud's diagonal)")
+    .value("clearance", "D", "picks nearer to a fault than this are left out: where a gridder has bridged it or a tracker smeared along it", "0")
     .value("fault-smoothing", "D", "how far the nodes of sticks lie off their fault (standard deviation): auto, off (all nodes lie in it) or a distance",
            "auto")
     .value("fault-dip", "DEG,AZIMUTH", "dip of faults given as level lines, traces on a map, and which way they dip, clockwise from north; 90: vertical")
@@ -178,6 +180,7 @@ ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositiv
   o.flip_angle = values.number("flip-angle", 0.0, 180.0);
   o.zone_width = values.number("zone-width", 0.0, kHuge);
   o.fault_reach = values.number("fault-reach", 0.0, kHuge);
+  o.clearance = values.number("clearance", 0.0, kHuge);
   o.fault_smoothing = faultSmoothing(values);
   o.fault_dip = faultDip(values);
   constexpr FitMode fits[] = {FitMode::Full, FitMode::Normal, FitMode::Off};

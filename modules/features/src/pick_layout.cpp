@@ -16,7 +16,8 @@ constexpr double kFewRuns = 0.01;         // of the runs may look like lines by 
 constexpr double kByChance = 2.0;         // runs of few may, too
 constexpr double kLeastShare = 0.02;      // of the picks on lines: fewer are chance
 constexpr double kWide = 6.2;             // cells: the distance up to which points are counted
-constexpr double kGrowth = 3.0;           // of the number of points when the distance doubles: 2 on a line, 4 on a surface
+constexpr double kLineGrowth = 3.0;       // of the number of points when the distance doubles: 2 on a line, 4 on a surface
+constexpr double kSurfaceGrowth = 3.4;    // what lies about the crossings of lines stays below
 constexpr double kStep = M_SQRT2;         // from level to level
 constexpr double kCellsBetweenLines = 5.0; // where the growth of the number is first that of a surface
 constexpr double kHighest = 0.5;          // of the cloud's extent: farther no points are counted
@@ -32,8 +33,8 @@ struct Counts {
     near += other.near;
     all += other.all;
   }
-  bool likeSurface() const { return near > 0.0 && all >= kGrowth * near; }
-  bool likeLine() const { return near > 0.0 && all < kGrowth * near; }
+  bool likeSurface() const { return near > 0.0 && all >= kSurfaceGrowth * near; }
+  bool likeLine() const { return near > 0.0 && all < kLineGrowth * near; }
 };
 
 Counts countAround(const NeighborGrid& grid, const Vector3& place, double distance, PointsAround& around) {
@@ -191,19 +192,16 @@ constexpr double kUpper = 0.75;  // quantile of the line distances around that a
 constexpr double kAround = 2.0;  // line distances
 constexpr double kFine = 0.125;  // line distances: what lies nearer than that has the same
 
-/// Where lines cross, they seem denser than they are: each place takes a high one of the sizes around it.
+/// Where lines cross, they seem denser than they are: each place takes a high one of the distances around it.
 void smooth(const NeighborGrid& grid, std::vector<float>& distances, unsigned threads) {
-  Points on_lines = grid.points();
   std::vector<double> known;
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    if (distances[i] > 0.0F)
-      known.push_back(static_cast<double>(distances[i]));
-    else
-      on_lines[i].setConstant(std::numeric_limits<double>::quiet_NaN());
-  }
+  for (const float distance : distances)
+    if (distance > 0.0F)
+      known.push_back(static_cast<double>(distance));
   if (known.empty())
     return;
-  const detail::ThinnedCloud cloud = detail::thinned(on_lines, kFine * median(std::move(known)));
+  const double usual = median(std::move(known));
+  const detail::ThinnedCloud cloud = detail::thinned(grid.points(), kFine * usual);
   std::vector<float> largest(cloud.points.size(), 0.0F);
   for (std::size_t i = 0; i < distances.size(); ++i)
     if (cloud.of[i] >= 0)
@@ -214,7 +212,8 @@ void smooth(const NeighborGrid& grid, std::vector<float>& distances, unsigned th
     PointsAround found;
     std::vector<float> values;
     for (std::size_t i = begin; i < end; ++i) {
-      around.collectWithin(cloud.points[i], kAround * static_cast<double>(largest[i]), found);
+      const double own = static_cast<double>(largest[i]);
+      around.collectWithin(cloud.points[i], kAround * (own > 0.0 ? own : usual), found);
       values.clear();
       for (std::size_t k = 0; k < found.count; ++k)
         values.push_back(largest[static_cast<std::size_t>(found.index[k])]);

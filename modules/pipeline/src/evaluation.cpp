@@ -111,6 +111,16 @@ void evaluate(const FinishedSurface& surface, unsigned threads, ReconstructionRe
     report.warnings.push_back("The mesh has topological faults; see topology in the report.");
 }
 
+void countReasons(const std::vector<PickReason>& reasons, ReconstructionReport& report) {
+  const auto count = [&](PickReason reason) { return static_cast<std::size_t>(std::count(reasons.begin(), reasons.end(), reason)); };
+  report.wrong_side_picks = count(PickReason::WrongSide);
+  report.smeared_picks = count(PickReason::Smeared);
+  report.picks_at_faults = count(PickReason::AtFault);
+  report.stray_picks = count(PickReason::Stray);
+  if (report.stray_picks > 0)
+    report.warnings.push_back(std::to_string(report.stray_picks) + " picks near faults are all alone on their side and were set aside as strays.");
+}
+
 PicksOnSurface evaluatePicks(TriangleMesh& mesh, const JudgingPicks& picks, unsigned threads, ReconstructionReport& report) {
   if (mesh.empty())
     return {std::vector<Index>(picks.points.size(), -1), std::vector<float>(picks.points.size(), kNone)};

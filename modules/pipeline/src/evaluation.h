@@ -33,6 +33,9 @@ struct JudgingPicks {
   const std::vector<PickReason>& reasons;
 };
 
+/// Fills in how many picks take no part, by their reasons.
+void countReasons(const std::vector<PickReason>& reasons, ReconstructionReport& report);
+
 /// Where picks lie about the surface; one entry a pick.
 struct PicksOnSurface {
   std::vector<Index> piece;    ///< the nearest, -1 where none is within the report's fault reach

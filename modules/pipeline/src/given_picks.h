@@ -6,12 +6,13 @@
 
 namespace graben {
 
-/// Picks along lines as they were given, while the stages work on a balanced cloud that stands for them.
+/// Picks as they were given, while the stages work on another cloud: a balanced one that stands for picks along lines, one with places more.
 struct GivenPicks {
   OrderedPicks picks;
-  NeighborGrid grid; ///< on them
+  NeighborGrid grid; ///< on them, where they lie along lines
   PickLayout layout;
-  std::vector<Index> point_of; ///< for each of them the point of the balanced cloud that stands for it; -1 of one that is not finite
+  std::vector<Index> point_of; ///< for each of them the point of the cloud worked on that stands for it; -1 of one that has none
+  std::vector<std::pair<Index, Vector3>> cleared; ///< those left out before they were balanced, and where they lie
 
   /// The cloud to work on; measurements stay points of their own. Brings point_of up to date.
   OrderedPicks balanced(const FaultNetwork& faults, unsigned threads);

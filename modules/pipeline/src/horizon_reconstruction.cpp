@@ -15,9 +15,9 @@ void checkOptions(const ReconstructionOptions& o) {
     if (!good)
       throw InvalidInputError("options", message);
   };
-  for (const double length : {o.voxel_size, o.rho, o.delta, o.zone_width, o.fault_reach})
+  for (const double length : {o.voxel_size, o.rho, o.delta, o.zone_width, o.fault_reach, o.clearance})
     check(std::isfinite(length) && length >= 0.0,
-          "voxel size, rho, delta, zone width and fault reach must be positive numbers, or 0 to have them estimated");
+          "voxel size, rho, delta, zone width, fault reach and clearance must be positive numbers, or 0 to have them estimated");
   check(o.neighbors == 0 || o.neighbors >= 3, "a tangent plane needs at least 3 neighbors");
   check(o.flip_angle >= 0.0 && o.flip_angle <= 180.0, "the flip angle must lie between 0 and 180 degrees");
   check(std::isfinite(o.z_scale) && o.z_scale > 0.0, "the z scale must be a positive number");

@@ -6,12 +6,12 @@
 
 #include "graben/analysis/approximation_error.h"
 #include "graben/core/errors.h"
+#include "graben/core/short_number.h"
 #include "graben/core/memory.h"
 #include "graben/core/threads.h"
 #include "graben/core/ticks.h"
 #include "graben/features/mean_distance.h"
 #include "graben/features/orientation.h"
-#include "graben/filters/wrong_side_picks.h"
 #include "graben/mesh/components.h"
 #include "graben/mesh/normals.h"
 
@@ -45,17 +45,10 @@ constexpr double kVoxelOfLines = 0.25; // line distances
 constexpr double kRhoOfLines = 0.75;   // line distances
 
 constexpr double kLeastPolygon = 0.25; // voxels squared: what is smaller is noise of a steep fault
-constexpr double kMeasurementReach = 2.0; // rho + delta: farther than this from all picks a measurement is not of this horizon
 
 // Measured with a million picks, and with a million vertices on a tenth of them.
 constexpr std::size_t kBytesPerPick = 150; // until the normals are known: point, order, neighbours, plane
 constexpr double kSurfaceGrowth = 1.1;     // memory that the surface takes at most on its way to the written mesh, over what its extraction counts on
-
-std::string shortNumber(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
-}
 
 } // namespace
 
@@ -71,13 +64,18 @@ void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faul
   checkMeasurements();
   begin("faults");
   buildFaults(faults);
+  setPicksAtFaultsAside();
   balance();
   begin("wrong-side picks");
+  reasons_.resize(picks_.points.size(), PickReason::Good);
+  setStraysAside();
   setWrongSidePicksAside();
   begin("normals");
   estimateNormals();
   begin("orientation");
   orient();
+  begin("fault shadows");
+  carryAcrossShadows();
   begin("marching cubes");
   SheetMesh sheets = extract();
   begin("cut");
@@ -122,57 +120,18 @@ void ReconstructionJob::toLocalFrame(Points picks, const std::vector<DipMeasurem
   result_.report.picks_not_finite = picks_.points.size() - grid_.size();
 }
 
-/// Picks along lines give way to a balanced cloud, for all stages up to the last.
-void ReconstructionJob::seeHowPicksLie() {
-  PickLayout layout = pickLayout(grid_, options_.threads);
-  if (!layout.along_lines)
-    return;
-  PickLayoutReport& report = result_.report.layout;
-  report.along_lines = true;
-  report.along = layout.along;
-  report.line_distance = layout.line_distance;
-  report.share = layout.share;
-  given_.emplace();
-  given_->layout = std::move(layout);
-  given_->picks = std::move(picks_);
-  given_->grid = NeighborGrid(given_->picks.points, 0.0, options_.threads);
-  balance();
-  report.noise = noiseAlongLines(given_->picks.points, given_->point_of, picks_.points.size());
-}
-
-/// The cloud to work on, anew where faults are known that no point may reach across.
-void ReconstructionJob::balance() {
-  if (!given_ || (faults_.empty() && !picks_.points.empty()))
-    return;
-  picks_ = given_->balanced(faults_, options_.threads);
-  grid_ = NeighborGrid(picks_.points, std::exchange(picks_.keys, nullptr), options_.threads);
-  if (!faults_.empty())
-    zone_ = zonePicks(picks_.points, faults_, result_.report.used.zone_width, options_.threads);
-}
-
-void ReconstructionJob::checkMeasurements() {
-  if (picks_.measured.empty())
-    return;
-  const double reach = kMeasurementReach * rhoPlusDelta();
-  const std::size_t far = dropFarMeasurements(picks_, grid_, reach);
-  result_.report.measurements_not_usable += far;
-  if (far == 0)
-    return;
-  result_.report.warnings.push_back(std::to_string(far) + " of " + std::to_string(result_.report.measurements) +
-                                    " dip measurements are farther than " + shortNumber(reach) +
-                                    " from all picks and were left out; check their coordinates, their units and which way their z grows.");
-  grid_ = grid_.withoutThoseTakenOut(options_.threads);
-}
-
 /// The mean distance of the picks; along lines that of the points that stand for them.
 double ReconstructionJob::usualVoxelSize() const {
-  return given_ ? std::min(mean_distance_, kVoxelOfLines * given_->layout.line_distance) : mean_distance_;
+  return alongLines() ? std::min(mean_distance_, kVoxelOfLines * given_->layout.line_distance) : mean_distance_;
 }
+
+/// How far the surface is carried on to a fault from picks that are not in its shadow.
+double ReconstructionJob::usualReach() const { return std::max(6.0 * mean_distance_, 2.0 * rhoPlusDelta()); }
 
 void ReconstructionJob::prepareParameters() {
   ReconstructionReport& report = result_.report;
   report.sampling = estimateSampling(grid_, options_.threads);
-  if (given_) // lines may lie up to half as far apart again as they do on the mean, and cells between crossing lines are as wide at their corners
+  if (alongLines()) // lines may lie up to half as far apart again as they do on the mean, and cells between crossing lines are as wide at their corners
     report.sampling.rho = std::max(report.sampling.rho, kRhoOfLines * given_->layout.farthest_lines);
   UsedParameters& used = report.used;
   used.rho = options_.rho > 0.0 ? options_.rho : report.sampling.rho;
@@ -180,10 +139,10 @@ void ReconstructionJob::prepareParameters() {
   mean_distance_ = meanPickDistance(grid_, options_.threads);
   used.voxel_size = options_.voxel_size > 0.0 ? options_.voxel_size : usualVoxelSize();
   used.zone_width = options_.zone_width > 0.0 ? options_.zone_width : 5.0 * used.voxel_size;
-  used.fault_reach = options_.fault_reach > 0.0 ? options_.fault_reach : std::max(6.0 * mean_distance_, 2.0 * rhoPlusDelta());
+  used.fault_reach = options_.fault_reach > 0.0 ? options_.fault_reach : usualReach();
   used.flip_angle = options_.flip_angle;
   used.neighbors = options_.neighbors > 0 ? options_.neighbors : neighborsFor(report.sampling, used.delta, mean_distance_, used.voxel_size);
-  if (given_ && options_.neighbors == 0)
+  if (alongLines() && options_.neighbors == 0)
     used.neighbors = std::max(used.neighbors, kNeighborsOfLines);
   used.origin = result_.frame.origin;
   used.z_scale = options_.z_scale;
@@ -202,35 +161,6 @@ void ReconstructionJob::buildFaults(const std::vector<FaultGeometry>& faults) {
   ReconstructionReport& report = result_.report;
   faults_ = FaultNetwork(prepareFaults(faults, result_.frame, grid_, preparation, report.warnings, report.notes), reach);
   zone_ = zonePicks(picks_.points, faults_, result_.report.used.zone_width, options_.threads);
-}
-
-/// Picks on the wrong side of a fault take no part in the surface; they stay in the results, each with its reason.
-void ReconstructionJob::setWrongSidePicksAside() {
-  if (faults_.empty() || options_.skip.wrong_side) {
-    reasons_.assign(picks_.points.size(), PickReason::Good);
-    return;
-  }
-  WrongSideOptions o;
-  o.mean_distance = mean_distance_;
-  o.threads = options_.threads;
-  WrongSideResult found = findWrongSidePicks(grid_, faults_, o, {&zone_, result_.report.used.zone_width});
-  result_.report.wrong_side_picks = found.wrong_side;
-  result_.report.smeared_picks = found.smeared;
-  reasons_ = std::move(found.reasons);
-  if (found.wrong_side + found.smeared == 0)
-    return;
-  std::vector<Index> taken_out;
-  for (const FlaggedPick& flagged : found.flagged) {
-    Vector3& place = picks_.points[static_cast<std::size_t>(flagged.pick)];
-    aside_.emplace_back(flagged.pick, place);
-    taken_out.push_back(flagged.pick);
-    place.setConstant(std::numeric_limits<double>::quiet_NaN());
-  }
-  const auto is_aside = [this](const MeasuredNormal& m) { return reasons_[static_cast<std::size_t>(m.pick)] != PickReason::Good; };
-  const auto kept = std::remove_if(picks_.measured.begin(), picks_.measured.end(), is_aside);
-  result_.report.measurements_set_aside = static_cast<std::size_t>(picks_.measured.end() - kept);
-  picks_.measured.erase(kept, picks_.measured.end());
-  grid_ = grid_.withoutThoseTakenOut(taken_out, options_.threads);
 }
 
 void ReconstructionJob::estimateNormals() {
@@ -288,20 +218,6 @@ void ReconstructionJob::readThrowsOff(const EdgeAdjacency& adjacency) {
   }
 }
 
-/// What was found for the points of the balanced cloud goes to the picks they stand for, which are measured against the surface.
-void ReconstructionJob::bringBackGivenPicks() {
-  if (!given_)
-    return;
-  reasons_ = ofEachPick(*given_, reasons_, PickReason::Good);
-  result_.report.wrong_side_picks = static_cast<std::size_t>(std::count(reasons_.begin(), reasons_.end(), PickReason::WrongSide));
-  result_.report.smeared_picks = static_cast<std::size_t>(std::count(reasons_.begin(), reasons_.end(), PickReason::Smeared));
-  if (!normals_.empty())
-    normals_ = ofEachPick(*given_, normals_, Vector3(Vector3::Constant(std::numeric_limits<double>::quiet_NaN())));
-  picks_ = std::move(given_->picks);
-  given_.reset();
-  zone_ = zonePicks(picks_.points, faults_, result_.report.used.zone_width, options_.threads);
-}
-
 void ReconstructionJob::handOutPicks(PicksOnSurface on_surface) {
   parallelFor(picks_.points.size(), 1 << 14, options_.threads, [&](std::size_t i) {
     picks_.points[i] = result_.frame.toUser(picks_.points[i]);
@@ -339,11 +255,13 @@ void ReconstructionJob::measureSurface() {
   ExtrapolationOptions extrapolation;
   extrapolation.limit = rhoPlusDelta();
   extrapolation.threads = options_.threads;
+  takeCarriedPlacesOut();
   result_.report.extrapolation = markExtrapolation(cut_, *corners_, grid_, faults_, extrapolation);
   grid_ = NeighborGrid();
   for (const auto& [pick, place] : aside_)
     picks_.points[static_cast<std::size_t>(pick)] = place;
   bringBackGivenPicks();
+  countReasons(reasons_, result_.report);
   const MeshConnections connections(cut_.mesh, std::move(*corners_), options_.threads);
   corners_.reset();
   evaluate({cut_, connections, components, faults_, bridges_}, options_.threads, result_.report);

@@ -33,22 +33,33 @@ private:
 
   // From picks to planes (reconstruction_job.cpp)
   void toLocalFrame(Points picks, const std::vector<DipMeasurement>& dips);
-  void seeHowPicksLie();
-  void balance();
   double usualVoxelSize() const;
+  double usualReach() const;
   void prepareParameters();
-  void checkMeasurements();
   void checkMemory(const Points& picks, std::size_t dips);
   void buildFaults(const std::vector<FaultGeometry>& faults);
-  void setWrongSidePicksAside();
   void estimateNormals();
   void orient();
   void finish();
   void measureSurface();
   double throwInterval() const;
   void readThrowsOff(const EdgeAdjacency& adjacency);
-  void bringBackGivenPicks();
   void handOutPicks(PicksOnSurface on_surface);
+
+  // Which picks take part, and what stands in for them (pick_stages.cpp)
+  bool alongLines() const;
+  void seeHowPicksLie();
+  void balance();
+  void checkMeasurements();
+  void setAside(const std::vector<Index>& picks, PickReason reason);
+  void setPicksAtFaultsAside();
+  void setStraysAside();
+  void setWrongSidePicksAside();
+  void carryAcrossShadows();
+  void addPlaces(Points places, const Points& normals);
+  void keepGiven();
+  void takeCarriedPlacesOut();
+  void bringBackGivenPicks();
 
   // From planes to the surface (surface_stages.cpp)
   SheetMesh extract();
@@ -69,7 +80,8 @@ private:
   ReconstructionResult& result_;
   StageClock clock_;
   OrderedPicks picks_;              ///< that the stages work on
-  std::optional<GivenPicks> given_; ///< where these lie along lines: then the above are balanced
+  std::optional<GivenPicks> given_; ///< where the cloud worked on is another: picks along lines are balanced, places are added in fault shadows
+  std::vector<Index> carried_;      ///< places on the surface carried on across fault shadows, among the picks worked on
   std::vector<PickReason> reasons_;              ///< of each of them
   std::vector<std::pair<Index, Vector3>> aside_; ///< those set aside
   double mean_distance_ = 0.0;

@@ -18,6 +18,20 @@ Json json(const PickLayoutReport& l) {
   return {{"picks_lie", "along lines"}, {"along", l.along}, {"line_distance", l.line_distance}, {"share", l.share}, {"noise", l.noise}};
 }
 
+Json json(const ShadowReport& shadows) {
+  Json list = Json::array();
+  for (const ShadowAtFault& s : shadows.found)
+    list.push_back({{"fault", s.fault},
+                    {"side", s.hanging_wall ? "hanging wall" : "footwall"},
+                    {"width", s.width},
+                    {"widest", s.widest},
+                    {"share", s.share},
+                    {"places", s.places},
+                    {"degree", shadows.degree},
+                    {"support", shadows.support}});
+  return list;
+}
+
 Json json(const Vector3& p) { return Json::array({p.x(), p.y(), p.z()}); }
 
 Json json(const UsedParameters& u) {
@@ -71,7 +85,7 @@ Json json(const FaultReport& f, const FaultSeal* seal) {
 /// What a surface is judged by at one look; the names are those of --require.
 Json figures(const ReconstructionReport& r) {
   const TopologyReport& t = r.topology;
-  const std::size_t aside = r.wrong_side_picks + r.smeared_picks;
+  const std::size_t aside = r.wrong_side_picks + r.smeared_picks + r.picks_at_faults + r.stray_picks;
   const auto measured = [](const DistanceStatistics& d, double value) { return d.count > 0 ? Json(value) : Json(); };
   return {{"rms", measured(r.all_picks, r.all_picks.rms)},
           {"p95", measured(r.all_picks, r.all_picks.p95)},
@@ -97,9 +111,11 @@ Json reportTree(const ReconstructionReport& r, bool with_timings) {
   j["schema"] = "graben report";
   j["schema_version"] = kReportSchemaVersion;
   j["figures"] = figures(r);
-  j["picks"] = {{"count", r.picks}, {"not_finite", r.picks_not_finite}, {"wrong_side", r.wrong_side_picks}, {"smeared", r.smeared_picks}};
+  j["picks"] = {{"count", r.picks}, {"not_finite", r.picks_not_finite}, {"wrong_side", r.wrong_side_picks},
+                {"smeared", r.smeared_picks}, {"at_faults", r.picks_at_faults}, {"strays", r.stray_picks}};
   j["dip_measurements"] = {{"count", r.measurements}, {"not_usable", r.measurements_not_usable}, {"set_aside", r.measurements_set_aside}};
   j["layout"] = json(r.layout);
+  j["fault_shadows"] = json(r.shadows);
   j["sampling"] = json(r.sampling);
   j["parameters"] = json(r.used);
   j["faults"] = Json::array();

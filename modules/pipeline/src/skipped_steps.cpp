@@ -5,7 +5,8 @@ namespace graben {
 const std::vector<SkippableStep>& skippableSteps() {
   static const std::vector<SkippableStep> steps = {
     {"neighbors", &SkippedSteps::neighbors}, {"sides", &SkippedSteps::sides},         {"trim", &SkippedSteps::trim},
-    {"cut", &SkippedSteps::cut},             {"wrong-side", &SkippedSteps::wrong_side}, {"zone-fit", &SkippedSteps::zone_fit},
+    {"cut", &SkippedSteps::cut},             {"wrong-side", &SkippedSteps::wrong_side}, {"shadows", &SkippedSteps::shadows},
+    {"zone-fit", &SkippedSteps::zone_fit},
     {"local-fit", &SkippedSteps::local_fit}, {"snap", &SkippedSteps::snap},           {"tidy", &SkippedSteps::tidy},
   };
   return steps;

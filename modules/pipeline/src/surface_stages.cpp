@@ -46,9 +46,9 @@ SignedDistanceOptions ReconstructionJob::distanceOptions() const {
   SignedDistanceOptions o;
   o.rho_plus_delta = rhoPlusDelta();
   o.overhang = surface_defaults::kFieldReach * used.voxel_size; // trimmed afterwards
-  o.fault_reach = used.fault_reach;
+  o.fault_reach = carried_.empty() ? used.fault_reach : std::min(used.fault_reach, usualReach()); // where places stand in for picks, the usual reach does
   o.voxel_size = used.voxel_size;
-  if (given_)
+  if (alongLines())
     o.widest_gap = kWidestGapOfLines;
   o.blend = options_.smooth ? surface_defaults::kBlend : 1;
   return o;
@@ -69,7 +69,7 @@ SheetMesh ReconstructionJob::extract() {
   if (!options_.skip.trim) {
     DataBorderOptions border;
     border.overhang = surface_defaults::kOverhang * h;
-    if (given_)
+    if (alongLines())
       border.overhang = std::clamp(kOverhangOfLines * given_->layout.line_distance, border.overhang, h);
     border.threads = options_.threads;
     trimToData(sheets, field, border);

@@ -38,7 +38,7 @@ TEST(SkippedSteps, PlainHoppeDrawsACurtainOverTheFault) {
   EXPECT_NE(toJson(plain.report).find("\"wrong-side\""), std::string::npos);
 }
 
-/// A step whose absence changed nothing would be a dead switch; tidy finds nothing to do in so small a case.
+/// A step whose absence changed nothing would be a dead switch; tidy finds nothing to do in so small a case, and here are no shadows.
 TEST(SkippedSteps, EachStepChangesTheSurface) {
   SyntheticOptions o = SyntheticOptions::of(SyntheticKind::Normal);
   o.picks = 800;
@@ -51,7 +51,7 @@ TEST(SkippedSteps, EachStepChangesTheSurface) {
     ReconstructionOptions options;
     options.threads = 1;
     const std::string name = step < skippableSteps().size() ? skippableSteps()[step].name : "none";
-    if (name == "tidy")
+    if (name == "tidy" || name == "shadows")
       continue;
     skipStep(options.skip, name);
     std::vector<double> coordinates;
@@ -59,6 +59,21 @@ TEST(SkippedSteps, EachStepChangesTheSurface) {
       coordinates.insert(coordinates.end(), p.data(), p.data() + 3);
     EXPECT_TRUE(different.insert(coordinates).second) << name;
   }
+}
+
+TEST(SkippedSteps, WithoutShadowsTheSurfaceEndsWherePicksDo) {
+  SyntheticOptions o = SyntheticOptions::of(SyntheticKind::Normal);
+  o.picks = 6000;
+  o.sampling.shadow = {500.0, 500.0};
+  const SyntheticModel model(o);
+  ReconstructionOptions options;
+  const ReconstructionResult whole = HorizonReconstruction(options).reconstruct(model.picks().points, test::faultsOf(model));
+  ASSERT_TRUE(skipStep(options.skip, "shadows"));
+  const ReconstructionResult without = HorizonReconstruction(options).reconstruct(model.picks().points, test::faultsOf(model));
+  ASSERT_EQ(whole.report.faults.size(), 1U);
+  EXPECT_GT(whole.report.faults[0].cut_vertices, 50U);
+  EXPECT_EQ(whole.report.shadows.found.size(), 2U);
+  EXPECT_EQ(without.report.faults[0].cut_vertices, 0U);
 }
 
 } // namespace

@@ -12,7 +12,9 @@ namespace graben {
 enum class PickReason : std::uint8_t {
   Good = 0,      ///< nothing
   WrongSide = 1, ///< it belongs to the sheet on the other side of the fault near it
-  Smeared = 2    ///< it lies between the two sheets at a fault, on neither
+  Smeared = 2,   ///< it lies between the two sheets at a fault, on neither
+  AtFault = 3,   ///< it lies within the clearance of a fault that was asked for
+  Stray = 4      ///< it is one of a few picks near a fault that are all alone on their side
 };
 
 /// Lengths are in the picks' units; 0 stands for the estimate named.

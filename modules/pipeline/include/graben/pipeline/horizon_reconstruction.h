@@ -35,7 +35,9 @@ struct ReconstructionOptions {
   double delta = 0.0;        ///< the cloud is delta-noisy, in x, y units
   double flip_angle = 60.0;  ///< degrees, 0 to 180; 180: off
   double zone_width = 0.0;   ///< the zone is what lies within this distance of a fault, in x, y units; 0: five voxels
-  double fault_reach = 0.0;  ///< farthest the surface is carried on from the last picks to a fault, in x, y units; 0: estimated
+  double fault_reach = 0.0;  ///< farthest the surface is carried on from the last picks to a fault, in x, y units; 0: as far as picks stop before it, up
+                             ///< to a sixth of the cloud's diagonal
+  double clearance = 0.0;    ///< picks nearer to a fault than this are left out, in x, y units: a gridder has bridged it, a tracker smeared along it
   std::optional<double> fault_smoothing; ///< standard deviation of the faults' nodes about smooth surfaces, in x, y units; 0: kept exactly; see LoftOptions
   std::optional<TraceDip> fault_dip;     ///< of faults given as level lines on a map; see LoftOptions
   FitMode fit = FitMode::Full;

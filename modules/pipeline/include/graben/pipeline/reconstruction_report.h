@@ -70,16 +70,36 @@ struct PickLayoutReport {
   double noise = 0.0;         ///< standard deviation of the picks about their line
 };
 
+/// One side of a fault before which picks stop short, in x, y units.
+struct ShadowAtFault {
+  std::string fault;
+  bool hanging_wall = false;
+  double width = 0.0;        ///< median along strike, where picks stop short
+  double widest = 0.0;       ///< 90 % of it is not wider
+  double share = 0.0;        ///< of the length along strike
+  std::size_t places = 0;    ///< added on the surface carried on; 0: it was not
+};
+
+/// Where picks stop short of faults, and what the surface was carried on with.
+struct ShadowReport {
+  std::vector<ShadowAtFault> found;
+  int degree = 0;            ///< of the polynomial
+  double support = 0.0;      ///< its radius, in widths of the shadow
+};
+
 /// What a reconstruction says of itself.
 struct ReconstructionReport {
   std::size_t picks = 0;
   std::size_t picks_not_finite = 0;
   std::size_t wrong_side_picks = 0;      ///< picks set aside because they lie on the wrong side of a fault
   std::size_t smeared_picks = 0;         ///< picks set aside because they lie between the two sheets at a fault
+  std::size_t picks_at_faults = 0;       ///< picks set aside because they lie within the clearance of a fault
+  std::size_t stray_picks = 0;           ///< picks set aside because they are all alone on their side of a fault
   std::size_t measurements = 0;            ///< dip measurements given
   std::size_t measurements_not_usable = 0; ///< of these left out: not finite, or far from all picks
   std::size_t measurements_set_aside = 0;  ///< of these set aside as picks are; they count there too
   PickLayoutReport layout;
+  ShadowReport shadows;
   Sampling sampling;                     ///< of the picks or, where they lie along lines, of the balanced cloud that stands for them
   UsedParameters used;
   std::vector<FaultReport> faults;

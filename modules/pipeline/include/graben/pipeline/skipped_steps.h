@@ -12,6 +12,7 @@ struct SkippedSteps {
   bool trim = false;       ///< the surface ends in whole cells at the edge of the data
   bool cut = false;        ///< the surface is not cut along the faults
   bool wrong_side = false; ///< picks on the wrong side of a fault, or smeared along it, take part
+  bool shadows = false;    ///< the surface is not carried on across strips beside faults that hold no picks, but for the usual reach
   bool zone_fit = false;   ///< no fit to the quadrics near the faults, of which one round beside them precedes the local fit
   bool local_fit = false;  ///< no fit to local polynomials after it; the fit to the quadrics then is made in full
   bool snap = false;       ///< vertices of marching cubes all stay on their own lattice edges
