@@ -42,10 +42,8 @@ class Rows:
 
 
 def left_out(picks, kept):
-    """The picks not kept that lie within the hull of those kept, seen from above."""
-    hull = Delaunay(picks[kept][:, :2])
-    rest = picks[~kept]
-    return rest[hull.find_simplex(rest[:, :2]) >= 0]
+    """Which picks are not kept and lie within the hull of those that are, seen from above."""
+    return ~kept & (Delaunay(picks[kept][:, :2]).find_simplex(picks[:, :2]) >= 0)
 
 
 def heights_off(surface, places):
