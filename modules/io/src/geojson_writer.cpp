@@ -43,7 +43,7 @@ void appendPoint(std::string& text, const Vector3& p) {
   text += ']';
 }
 
-void appendFeature(std::string& text, const MapPolygon& polygon) {
+void appendFeature(std::string& text, const MapPolygon& polygon, bool closed) {
   text += "{\"type\":\"Feature\",\"properties\":{";
   bool first = true;
   const auto key = [&](const std::string& name) {
@@ -60,28 +60,38 @@ void appendFeature(std::string& text, const MapPolygon& polygon) {
     key(name);
     appendFigure(text, value);
   }
-  text += "},\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[[";
-  for (const Vector3& p : polygon.ring) {
-    appendPoint(text, p);
-    text += ',';
+  text += closed ? "},\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[[" : "},\"geometry\":{\"type\":\"LineString\",\"coordinates\":[";
+  for (std::size_t i = 0; i < polygon.ring.size(); ++i) {
+    text += i == 0 ? "" : ",";
+    appendPoint(text, polygon.ring[i]);
   }
-  if (!polygon.ring.empty())
+  if (closed && !polygon.ring.empty()) {
+    text += ',';
     appendPoint(text, polygon.ring.front());
-  text += "]]}}";
+  }
+  text += closed ? "]]}}" : "]}}";
+}
+
+void writeFeatures(const std::string& path, const std::vector<MapPolygon>& features, bool closed) {
+  AtomicFile file(path);
+  file.write("{\"type\":\"FeatureCollection\",\"features\":[");
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    std::string text = i == 0 ? "\n" : ",\n";
+    appendFeature(text, features[i], closed);
+    file.write(text);
+  }
+  file.write("\n]}\n");
+  file.commit();
 }
 
 } // namespace
 
 void writeGeoJson(const std::string& path, const std::vector<MapPolygon>& polygons) {
-  AtomicFile file(path);
-  file.write("{\"type\":\"FeatureCollection\",\"features\":[");
-  for (std::size_t i = 0; i < polygons.size(); ++i) {
-    std::string text = i == 0 ? "\n" : ",\n";
-    appendFeature(text, polygons[i]);
-    file.write(text);
-  }
-  file.write("\n]}\n");
-  file.commit();
+  writeFeatures(path, polygons, true);
+}
+
+void writeGeoJsonLines(const std::string& path, const std::vector<MapPolygon>& lines) {
+  writeFeatures(path, lines, false);
 }
 
 } // namespace graben

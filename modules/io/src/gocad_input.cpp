@@ -111,9 +111,11 @@ std::vector<FaultInput> readGocadFaults(std::string_view text, const std::string
   std::vector<GocadObject> objects = readGocadObjects(text, path);
   std::vector<FaultInput> faults;
   for (GocadObject& object : objects) {
-    FaultInput fault{nameOf(object, path), {}, object.z_positive, path, notesOn(object), warningsOn(object, path)};
+    FaultInput fault{nameOf(object, path), {}, object.z_positive, path, notesOn(object, object.isSurface()), warningsOn(object, path)};
     if (object.isSurface() && !object.triangles.empty()) {
-      fault.geometry = meshOf(object);
+      TriangleMesh mesh = meshOf(object);
+      takeProperties(object, mesh);
+      fault.geometry = std::move(mesh);
     } else if (object.isLines()) {
       std::vector<FaultStick> sticks = sticksOf(object, fault.notes);
       if (sticks.empty())
@@ -140,7 +142,7 @@ PickSet readGocadPicks(std::string_view text, const PickFile& file) {
   if (names.empty())
     throw ParseError(file.path, 0, "holds no VSet (found: " + typesOf(objects) + ")");
   if (file.options.horizon.empty() && names.size() > 1)
-    throw ParseError(file.path, 0, severalHorizons(names));
+    throw SeveralHorizonsError(file.path, severalHorizons(names), names);
   if (!file.options.horizon.empty())
     requireHorizon(names, file);
   PickSet picks;

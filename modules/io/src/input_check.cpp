@@ -1,11 +1,10 @@
 #include "graben/io/input_check.h"
 
-#include "numbers.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 
 namespace graben {
@@ -56,14 +55,9 @@ bool isOfLikeSize(double fault, double picks) {
 }
 
 std::string range(const Box& box, int axis) {
-  const auto text = [](double value) {
-    std::string digits;
-    const double unit = std::pow(10.0, std::floor(std::log10(std::max(std::abs(value), 1e-300))) - 4.0);
-    appendNumber(digits, std::abs(value) > 1e-300 ? std::round(value / unit) * unit : 0.0);
-    const std::size_t point = digits.find('.');
-    return digits.substr(0, point == std::string::npos ? point : std::max<std::size_t>(point + 7, 1));
-  };
-  return text(box.min()[axis]) + " to " + text(box.max()[axis]);
+  char text[64];
+  std::snprintf(text, sizeof text, "%.6g to %.6g", box.min()[axis], box.max()[axis]);
+  return text;
 }
 
 double widthOf(const Box& box) {

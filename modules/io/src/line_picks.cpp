@@ -15,7 +15,7 @@ namespace {
 std::size_t chooseHorizon(const std::vector<std::string>& names, const PickFile& file) {
   if (file.options.horizon.empty()) {
     if (names.size() > 1)
-      throw ParseError(file.path, 0, severalHorizons(names));
+      throw SeveralHorizonsError(file.path, severalHorizons(names), names);
     return 0;
   }
   requireHorizon(names, file);

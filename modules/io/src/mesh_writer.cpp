@@ -4,6 +4,7 @@
 #include "mesh_formats.h"
 
 #include "graben/core/errors.h"
+#include "graben/mesh/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ std::vector<std::string> lossNotes(const std::string& extension, const TriangleM
   std::vector<std::string> notes;
   const std::string place = extension + " files ";
   const bool stl = extension == ".stl";
-  const bool plain_gocad = extension == ".ts" && !options.gocad_properties;
+  const bool plain_gocad = extension == ".ts" && !options.gocad_properties && !options.gocad_full;
   const std::string none = plain_gocad ? "for strict readers hold no properties, so not" : "have no place for";
   if (stl && floatStep(mesh) > 1e-3)
     notes.push_back(place + "hold float32: coordinates were rounded to steps of up to " +
@@ -50,6 +51,20 @@ const std::vector<std::string>& meshWriteExtensions() {
   static const std::vector<std::string> extensions = {".ply", ".vtk", ".vtp",
                                                       ".obj", ".stl", ".ts"};
   return extensions;
+}
+
+Vector3 originFor(const Points& points) {
+  const Bounds box = boundsOf(points);
+  return box.empty() ? Vector3(Vector3::Zero()) : Vector3((0.5 * (box.low + box.high)).array().round());
+}
+
+void writePlyPoints(const std::string& path, const Points& points, const Points& normals, const MeshWriteOptions& options) {
+  TriangleMesh cloud;
+  cloud.vertices = points;
+  cloud.normals = normals;
+  if (!normals.empty() && normals.size() != points.size())
+    throw InvalidInputError("writing " + path, "normals are not as many as the points");
+  writePlyMesh(path, cloud, options);
 }
 
 std::vector<std::string> writeMesh(const std::string& path, const TriangleMesh& mesh,

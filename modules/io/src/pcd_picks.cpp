@@ -9,6 +9,7 @@
 #include "graben/core/errors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -32,6 +33,7 @@ struct PcdHeader {
   std::uint64_t height = 1;
   std::optional<std::uint64_t> points;
   bool identity_viewpoint = true;
+  std::optional<Vector3> origin; ///< `# origin X Y Z`: to be added to all positions
   std::string data;
   std::size_t point_size = 0;
   std::size_t body = 0;
@@ -56,6 +58,8 @@ public:
     std::string_view line;
     while (header_.data.empty() && reader_.next(line)) {
       splitWords(line, words_);
+      if (words_.size() == 5 && words_[0] == "#" && words_[1] == "origin")
+        parseOrigin();
       if (!words_.empty() && words_[0].front() != '#')
         parseEntry();
     }
@@ -129,6 +133,15 @@ private:
       if (parseField(words_[i + 1], value) && value != identity[i])
         header_.identity_viewpoint = false;
     }
+  }
+
+  void parseOrigin() {
+    Vector3 origin;
+    bool good = true;
+    for (Eigen::Index k = 0; k < 3; ++k)
+      good = good && parseField(words_[static_cast<std::size_t>(k) + 2], origin[k]) && std::isfinite(origin[k]);
+    if (good)
+      header_.origin = origin;
   }
 
   void layOut() {
@@ -298,6 +311,11 @@ PickSet readPcdPicks(const PickFile& file) {
   else
     readAscii(body, header, file, picks);
   note(header, picks);
+  if (header.origin) {
+    for (Vector3& p : picks.points)
+      p += *header.origin;
+    picks.notes.push_back("the origin that the PCD header states was added to all positions");
+  }
   return picks;
 }
 

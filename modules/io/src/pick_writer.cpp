@@ -8,27 +8,32 @@
 namespace graben {
 namespace {
 
-std::string pcdHeader(std::size_t points, const PcdOptions& options) {
-  const auto line = [&](const std::string& key, const char* position, const char* normal, const char* piece, const char* reason) {
-    return key + position + (options.normals ? normal : "") + (options.piece ? piece : "") + (options.reason ? reason : "") + "\n";
-  };
-  const std::string count = std::to_string(points);
-  return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n" +
-         line("FIELDS", " x y z", " normal_x normal_y normal_z", " piece", " reason") +
-         line("SIZE", " 4 4 4", " 4 4 4", " 4", " 1") + line("TYPE", " F F F", " F F F", " I", " U") +
-         line("COUNT", " 1 1 1", " 1 1 1", " 1", " 1") + "WIDTH " + count +
-         "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + count + "\nDATA binary\n";
-}
-
-std::size_t pointSize(const PcdOptions& options) {
-  return 3 * sizeof(float) * (options.normals ? 2 : 1) + (options.piece ? sizeof(Index) : 0) + (options.reason ? 1 : 0);
-}
-
 void appendRow(std::string& text, const Vector3& point) {
   for (int k = 0; k < 3; ++k) {
     appendNumber(text, point[k]);
     text += k < 2 ? ' ' : '\n';
   }
+}
+
+std::string pcdHeader(std::size_t points, const PcdOptions& options) {
+  const auto line = [&](const std::string& key, const char* position, const char* normal, const char* piece, const char* reason) {
+    return key + position + (options.normals ? normal : "") + (options.piece ? piece : "") + (options.reason ? reason : "") + "\n";
+  };
+  const std::string count = std::to_string(points);
+  std::string origin;
+  if (options.origin) {
+    origin = "# origin ";
+    appendRow(origin, *options.origin);
+  }
+  return "# .PCD v0.7 - Point Cloud Data file format\n" + origin + "VERSION 0.7\n" +
+         line("FIELDS", " x y z", " normal_x normal_y normal_z", " piece", " reason") +
+         line("SIZE", options.doubles ? " 8 8 8" : " 4 4 4", " 4 4 4", " 4", " 1") + line("TYPE", " F F F", " F F F", " I", " U") +
+         line("COUNT", " 1 1 1", " 1 1 1", " 1", " 1") + "WIDTH " + count +
+         "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + count + "\nDATA binary\n";
+}
+
+std::size_t pointSize(const PcdOptions& options) {
+  return 3 * (options.doubles ? sizeof(double) : sizeof(float)) + (options.normals ? 3 * sizeof(float) : 0) + (options.piece ? sizeof(Index) : 0) + (options.reason ? 1 : 0);
 }
 
 void requireLength(std::size_t length, std::size_t points, const std::string& path) {
@@ -45,7 +50,11 @@ void writePcd(const std::string& path, std::size_t count, const std::function<Pc
     ByteFiller filler(bytes, (end - begin) * pointSize(options));
     for (std::size_t i = begin; i < end; ++i) {
       const PcdPoint p = point(i);
-      filler.putVector<float>(p.position);
+      const Vector3 position = p.position - options.origin.value_or(Vector3::Zero());
+      if (options.doubles)
+        filler.putVector<double>(position);
+      else
+        filler.putVector<float>(position);
       if (options.normals)
         filler.putVector<float>(p.normal);
       if (options.piece)

@@ -2,8 +2,11 @@
 
 #include "binary_value.h"
 
+#include "graben/core/types.h"
+
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +31,7 @@ enum class PlyEncoding { Ascii, LittleEndian, BigEndian };
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<PlyElement> elements;
+  std::optional<Vector3> origin; ///< `comment origin X Y Z`: to be added to all positions
   std::size_t body = 0;      ///< offset of the first byte after the header
   std::size_t body_line = 0; ///< number of the first line after the header
 };

@@ -22,10 +22,19 @@ std::string propertyName(std::string_view name, const std::set<std::string>& tak
 }
 
 std::string headerOf(const TriangleMesh& mesh, const MeshWriteOptions& options) {
-  std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex ";
+  std::string header = "ply\nformat binary_little_endian 1.0\n";
+  if (options.origin) {
+    header += "comment origin";
+    for (const double coordinate : *options.origin) {
+      header += ' ';
+      appendNumber(header, coordinate);
+    }
+    header += '\n';
+  }
+  header += "element vertex ";
   appendNumber(header, static_cast<std::int64_t>(mesh.vertices.size()));
   std::set<std::string> taken = {"x", "y", "z", "nx", "ny", "nz", "piece"};
-  header += "\nproperty double x\nproperty double y\nproperty double z\n";
+  header += options.origin ? "\nproperty float x\nproperty float y\nproperty float z\n" : "\nproperty double x\nproperty double y\nproperty double z\n";
   if (!mesh.normals.empty())
     header += "property float nx\nproperty float ny\nproperty float nz\n";
   if (!mesh.piece.empty())
@@ -55,13 +64,16 @@ std::vector<Scalar> scalarsOf(const TriangleMesh& mesh, const MeshWriteOptions& 
 
 void writeVertices(AtomicFile& file, const TriangleMesh& mesh, const MeshWriteOptions& options) {
   const std::vector<Scalar> scalars = scalarsOf(mesh, options);
-  std::size_t size = 3 * sizeof(double) + (mesh.normals.empty() ? 0 : 3 * sizeof(float)) + (mesh.piece.empty() ? 0 : sizeof(Index));
+  std::size_t size = 3 * (options.origin ? sizeof(float) : sizeof(double)) + (mesh.normals.empty() ? 0 : 3 * sizeof(float)) + (mesh.piece.empty() ? 0 : sizeof(Index));
   for (const Scalar& scalar : scalars)
     size += scalar.flag ? 1 : sizeof(float);
   writeRows(file, mesh.vertices.size(), options.threads, [&](std::size_t begin, std::size_t end, std::string& bytes) {
     ByteFiller filler(bytes, (end - begin) * size);
     for (std::size_t v = begin; v < end; ++v) {
-      filler.putVector<double>(mesh.vertices[v]);
+      if (options.origin)
+        filler.putVector<float>(mesh.vertices[v] - *options.origin);
+      else
+        filler.putVector<double>(mesh.vertices[v]);
       if (!mesh.normals.empty())
         filler.putVector<float>(mesh.normals[v]);
       if (!mesh.piece.empty())

@@ -321,6 +321,11 @@ MeshInput PlyReader::read() {
   }
   if (!has_vertices_)
     fail("the PLY file has no vertices");
+  if (header_.origin) {
+    for (Vector3& p : input_.mesh.vertices)
+      p += *header_.origin;
+    input_.notes.push_back("the origin that the PLY header states was added to all positions");
+  }
   note();
   return std::move(input_);
 }

@@ -10,13 +10,13 @@
 namespace graben {
 namespace {
 
-std::string layoutText(const TextLayout& layout, const PickSet& picks) {
+std::string layoutText(const TextLayout& layout) {
   const std::string separator = layout.delimiter == ' ' ? "blanks" : (layout.delimiter == '\t' ? "tabs" : std::string("'") + layout.delimiter + "'");
   std::string text = std::to_string(layout.columns_in_row) + " columns parted by " + separator + ", x y z in columns ";
   for (std::size_t k = 0; k < 3; ++k)
     text += (k == 0 ? "" : ", ") + std::to_string(layout.columns[k] + 1);
   text += layout.names_used ? " (named in the header)" : " (the header names none)";
-  return text + ", first row in line " + std::to_string(layout.first_line) + (picks.horizon.empty() ? "" : ", horizon " + picks.horizon);
+  return text + ", first row in line " + std::to_string(layout.first_line);
 }
 
 /// Leaves the rows of one horizon in the layout's body.
@@ -26,7 +26,7 @@ void chooseHorizon(TextLayout& layout, const PickFile& file, PickSet& picks, std
   const std::string& wanted = file.options.horizon;
   if (wanted.empty()) {
     if (horizons.names.size() > 1)
-      throw ParseError(file.path, 0, severalHorizons(horizons.names) + " (column " + std::to_string(horizons.column + 1) + ")");
+      throw SeveralHorizonsError(file.path, severalHorizons(horizons.names) + " (column " + std::to_string(horizons.column + 1) + ")", horizons.names);
     picks.horizon = horizons.names.empty() ? "" : horizons.names.front();
     return;
   }
@@ -68,7 +68,7 @@ PickSet readTextPicks(std::string_view text, const PickFile& file) {
   settleColumns(layout, file, picks);
   std::string storage;
   chooseHorizon(layout, file, picks, storage);
-  picks.layout = layoutText(layout, picks);
+  picks.layout = layoutText(layout);
   picks.header_nulls = layout.nulls;
   Table<3> table = readTable<3>(tableSource(layout.body, layout.first_line, file), tableLayoutOf<3>(layout));
   judgeBadRows(table.bad_lines, table.last_line, pointTableKind(), picks);

@@ -2,6 +2,7 @@
 
 #include "graben/mesh/triangle_mesh.h"
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,6 +18,11 @@ struct MeshWriteOptions {
   std::string z_unit = "m";  ///< unit of z; .ts only
   /// .ts only: write piece and scalars as properties (PVRTX lines). Geomodellers show them; strict readers (xtgeo) refuse such a file.
   bool gocad_properties = false;
+  /// .ts only: the full dialect: a TFACE per connected piece, properties, border stones and borders. Off: the plain one, which strict readers take.
+  bool gocad_full = false;
+  /// .ply only: coordinates are float about this origin, which the header states as `comment origin X Y Z` and readMeshes adds again. PCL's readers
+  /// take float only. Unset: double.
+  std::optional<Vector3> origin = {};
   /// Scalars that are no more than 0 or 1: written as unsigned char where the format has types.
   std::set<std::string> flags = {"extrapolated"};
   unsigned threads = 0; ///< 0: one per processor; the file does not depend on it
@@ -26,12 +32,12 @@ struct MeshWriteOptions {
 ///
 /// | extension | coordinates | normals | piece | scalars | form |
 /// |---|---|---|---|---|---|
-/// | .ply | double | float | int property | float, flags uchar properties | binary, little endian |
+/// | .ply | double, or float about an origin | float | int property | float, flags uchar properties | binary, little endian |
 /// | .vtk | double | float | int array | float, flags unsigned char arrays | legacy 4.2, binary |
 /// | .vtp | double | float | int array | float, flags UInt8 arrays | XML, binary |
 /// | .obj | double (text) | double (text) | one group per run of triangles | - | text |
 /// | .stl | float | per triangle | - | - | binary |
-/// | .ts  | double (text) | - | property, if asked for | properties, if asked for | GOCAD TSurf, one TFACE |
+/// | .ts  | double (text) | - | property, if asked for | properties, if asked for | GOCAD TSurf, one TFACE; a TFACE per piece, borders in the full dialect |
 ///
 /// Scalars are the mesh's own (TriangleMesh::scalars, any names), `pick_distance` and `extrapolated` among them; readMeshes gives
 /// them back. A value that is not finite is written as it is, in .ts as the property's no-data value.
@@ -44,6 +50,13 @@ struct MeshWriteOptions {
 /// \throw IoError if the file cannot be written
 std::vector<std::string> writeMesh(const std::string& path, const TriangleMesh& mesh,
                                    const MeshWriteOptions& options = {});
+
+/// Whole numbers near the middle of points, as an origin for single precision.
+Vector3 originFor(const Points& points);
+
+/// Writes points as a PLY without faces. Errors as writeMesh.
+/// \param[in] normals one per point, or empty
+void writePlyPoints(const std::string& path, const Points& points, const Points& normals = {}, const MeshWriteOptions& options = {});
 
 /// The extensions writeMesh takes, with the dot, in lower case.
 const std::vector<std::string>& meshWriteExtensions();

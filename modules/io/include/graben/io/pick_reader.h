@@ -1,11 +1,25 @@
 #pragma once
 
+#include "graben/core/errors.h"
 #include "graben/core/progress.h"
 #include "graben/io/pick_set.h"
 
 #include <string>
+#include <vector>
 
 namespace graben {
+
+/// A file holds several horizons and none was asked for.
+class SeveralHorizonsError : public ParseError {
+public:
+  SeveralHorizonsError(const std::string& file, const std::string& message, std::vector<std::string> names)
+      : ParseError(file, 0, message)
+      , names_(std::move(names)) {}
+  const std::vector<std::string>& names() const { return names_; }
+
+private:
+  std::vector<std::string> names_;
+};
 
 /// How a file is read.
 struct ReadOptions {
@@ -43,7 +57,7 @@ struct ReadOptions {
 /// Cost is linear in the size of the file.
 /// \throw IoError if the file cannot be read
 /// \throw ParseError if the file is empty, holds no point, is cut short or has an unreadable row
-///   among the points, does not tell which columns are x, y and z, or holds several horizons or not the one asked for
+///   among the points, does not tell which columns are x, y and z, or does not hold the horizon asked for; SeveralHorizonsError if it holds several and none was asked for
 PickSet readPicks(const std::string& path, const ReadOptions& options = {});
 
 /// A file and one of the horizons in it.

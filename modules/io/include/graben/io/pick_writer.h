@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct PcdOptions {
   bool normals = false;
   bool piece = false;
   bool reason = false;
+  /// Subtracted from all positions and stated in the header as `# origin X Y Z`, which readPicks adds again.
+  std::optional<Vector3> origin = {};
+  bool doubles = false; ///< float64 x y z; PCL's readers of PointXYZ and pcl_viewer take them for zeros
   unsigned threads = 0; ///< 0: one per processor; the file does not depend on it
 };
 
@@ -53,6 +57,29 @@ void writePcd(const std::string& path, const LabelledPoints& cloud, unsigned thr
 /// Writes rows `x y z`, each number the shortest that reads back as the same double. Errors as
 /// writePcd.
 void writeXyz(const std::string& path, const Points& points, unsigned threads = 0);
+
+/// The sticks of a fault and its name.
+struct NamedSticks {
+  std::string name;
+  std::vector<FaultStick> sticks;
+};
+
+/// What a GOCAD file of points or lines says beside them.
+struct GocadFrame {
+  ZPositive z_positive = ZPositive::Unknown; ///< Unknown is written as Elevation
+  std::string xy_unit = "m";
+  std::string z_unit = "m";
+};
+
+/// Writes points as a GOCAD VSet. Errors as writePcd.
+void writeVset(const std::string& path, const std::string& name, const Points& points, const GocadFrame& frame = {});
+
+/// Writes a GOCAD PLine per fault, an ILINE per stick. Errors as writePcd.
+void writePline(const std::string& path, const std::vector<NamedSticks>& faults, const GocadFrame& frame = {});
+
+/// Writes rows X,Y,Z,name,stick,node as .csv with these names in the header; sticks and nodes count from 1. Errors as writePcd.
+/// \param[in] z_name name of the column of z
+void writeStickTable(const std::string& path, const std::vector<NamedSticks>& faults, const std::string& z_name = "Z");
 
 /// Writes sticks as IRAP/RMS lines: rows `x y z`, each stick ended by `999 999 999`. Errors as
 /// writePcd.

@@ -21,6 +21,9 @@ struct MapPolygon {
 /// \throw IoError if it cannot be written
 void writeGeoJson(const std::string& path, const std::vector<MapPolygon>& polygons);
 
+/// Lines of a map as features of type LineString; \a ring of each holds its points. Otherwise as writeGeoJson.
+void writeGeoJsonLines(const std::string& path, const std::vector<MapPolygon>& lines);
+
 /// Writes polygons as an ESRI shapefile of type PolygonZ: \a path must end in .shp; .shx and .dbf go beside it. Names are cut off after 10 characters and
 /// texts after 80 bytes, as the format has it.
 /// \throw InvalidInputError if the extension is another; IoError if a file cannot be written
