@@ -22,14 +22,15 @@ OptionParser parser() {
   p.section("Input").value("as", "WHAT", "what INPUT is: auto, picks, fault or surface", "auto");
   declareTableOptions(p);
   p.section("Coordinates")
-    .value("scale", "X,Y,Z", "all coordinates are multiplied by these, as 1,1,0.3048 for z from feet to metres or 1,1,-1 to turn z over", "1,1,1")
-    .value("z-positive", "WAY", "which way z of OUTPUT grows, where it can say so: up, down or auto (as INPUT says)", "auto");
+      .value("scale", "X,Y,Z", "all coordinates are multiplied by these, as 1,1,0.3048 for z from feet to metres or 1,1,-1 to turn z over", "1,1,1")
+      .value("z-positive", "WAY", "which way z of OUTPUT grows, where it can say so: up, down or auto (as INPUT says)", "auto");
   p.section("Output")
-    .flag("float", ".ply in single precision about an origin that its header states, for PCL's readers")
-    .flag("double", ".pcd in double precision, which PCL's readers take for zeros; without it single about an origin that its header states")
-    .flag("gocad-full", ".ts with a TFACE per piece, properties and borders; without it plain, as strict readers want it")
-    .flag("quiet", "say nothing but errors");
-  p.epilog("Picks become .xyz .csv .poi .pcd .ply .vs; sticks .pol .csv .pl .geojson, or a surface that is lofted through them; surfaces .ply .vtk .vtp .obj\n"
+      .flag("float", ".ply in single precision about an origin that its header states, for PCL's readers")
+      .flag("double", ".pcd in double precision, which PCL's readers take for zeros; without it single about an origin that its header states")
+      .flag("gocad-full", ".ts with a TFACE per piece, properties and borders; without it plain, as strict readers want it")
+      .flag("quiet", "say nothing but errors");
+  p.epilog("Picks become .xyz .csv .poi .pcd .ply .vs; sticks .pol .csv .pl .geojson, or a surface that is lofted through them; surfaces .ply .vtk "
+           ".vtp .obj\n"
            ".stl .ts, or their vertices in a format of picks. FILE:NAME is one of several horizons in a file.\n"
            "Example:\n  graben_convert sticks.csv sticks.pol\n");
   return p;
@@ -121,7 +122,12 @@ private:
       options.doubles = values_.has("double");
       if (!options.doubles)
         options.origin = originFor(points);
-      writePcd(path_, points.size(), [&](std::size_t i) { return PcdPoint{points[i], options.normals ? normals[i] : Vector3(Vector3::Zero())}; }, options);
+      writePcd(
+          path_, points.size(),
+          [&](std::size_t i) {
+            return PcdPoint{points[i], options.normals ? normals[i] : Vector3(Vector3::Zero())};
+          },
+          options);
       sayOrigin(options.origin);
     } else if (extension_ == ".ply") {
       const MeshWriteOptions options = meshOptions("points", frame, points);
@@ -238,7 +244,8 @@ private:
     if (!origin)
       return;
     char text[160];
-    std::snprintf(text, sizeof text, "positions are in single precision about the origin %.10g %.10g %.10g, which the header states", origin->x(), origin->y(), origin->z());
+    std::snprintf(text, sizeof text, "positions are in single precision about the origin %.10g %.10g %.10g, which the header states", origin->x(),
+                  origin->y(), origin->z());
     notes_.emplace_back(text);
   }
 
@@ -250,9 +257,13 @@ private:
   std::string done_;
 };
 
-int convert(const OptionValues& values) { return Conversion(values).run(); }
+int convert(const OptionValues& values) {
+  return Conversion(values).run();
+}
 
 } // namespace
 } // namespace graben
 
-int main(int argc, char** argv) { return graben::runTool(graben::parser(), argc, argv, graben::convert); }
+int main(int argc, char** argv) {
+  return graben::runTool(graben::parser(), argc, argv, graben::convert);
+}

@@ -20,7 +20,8 @@ namespace {
 constexpr int kBadInput = 1;
 
 OptionParser parser() {
-  OptionParser p("graben_info", "Says of files what they are, how they are laid out, what they hold, and what graben_reconstruct would take them for.");
+  OptionParser p("graben_info",
+                 "Says of files what they are, how they are laid out, what they hold, and what graben_reconstruct would take them for.");
   p.positionals("FILE...", "picks, fault sticks or surfaces; FILE:NAME for one of several horizons in a file", 1, 10000);
   p.section("Input").value("as", "WHAT", "what the files are: auto, picks, fault or surface", "auto");
   declareTableOptions(p);
@@ -44,9 +45,13 @@ void sayBox(const Bounds& box, const std::string& xy_unit, const std::string& z_
     line(names[k], "%.10g to %.10g %s", box.low[k], box.high[k], (k < 2 ? xy_unit : z_unit).c_str());
 }
 
-const char* wayOf(ZPositive way) { return way == ZPositive::Down ? "down (depth or time)" : way == ZPositive::Up ? "up (elevation)" : "not said"; }
+const char* wayOf(ZPositive way) {
+  return way == ZPositive::Down ? "down (depth or time)" : way == ZPositive::Up ? "up (elevation)" : "not said";
+}
 
-void sayWay(ZPositive way, const std::string& reason) { line("z grows", "%s%s%s", wayOf(way), reason.empty() ? "" : ": ", reason.c_str()); }
+void sayWay(ZPositive way, const std::string& reason) {
+  line("z grows", "%s%s%s", wayOf(way), reason.empty() ? "" : ": ", reason.c_str());
+}
 
 /// How the picks lie, in the frame that graben_reconstruct works in.
 void saySampling(const PickSet& picks) {
@@ -61,7 +66,8 @@ void saySampling(const PickSet& picks) {
     const Sampling sampling = estimateSampling(grid);
     line("spacing", "%.4g (median distance of neighbours), rho %.4g, noise %.3g", sampling.spacing, sampling.rho, sampling.sigma);
     if (layout.along_lines)
-      line("lie", "along lines: %.0f %% of the picks, one every %.4g, lines about %.4g apart", 100.0 * layout.share, layout.along, layout.line_distance);
+      line("lie", "along lines: %.0f %% of the picks, one every %.4g, lines about %.4g apart", 100.0 * layout.share, layout.along,
+           layout.line_distance);
     else
       line("lie", "densely in all directions");
     line("assumed", "voxel size about %.4g, z scale 1, z grows %s", meanPickDistance(grid), picks.z_positive == ZPositive::Down ? "down" : "up");
@@ -76,10 +82,10 @@ void sayAll(const char* label, const std::vector<std::string>& sentences) {
 }
 
 void say(PickSet picks) {
-  line("is", "%s%s%s: picks of a horizon%s%s", picks.format.c_str(), picks.layout.empty() ? "" : ", ", picks.layout.c_str(), picks.horizon.empty() ? "" : " ",
-       picks.horizon.c_str());
-  line("holds", "%zu picks%s, %zu rows without data, %zu rejected", picks.points.size(), picks.normals.empty() ? "" : " with normals", picks.no_data_rows,
-       picks.rejected_rows);
+  line("is", "%s%s%s: picks of a horizon%s%s", picks.format.c_str(), picks.layout.empty() ? "" : ", ", picks.layout.c_str(),
+       picks.horizon.empty() ? "" : " ", picks.horizon.c_str());
+  line("holds", "%zu picks%s, %zu rows without data, %zu rejected", picks.points.size(), picks.normals.empty() ? "" : " with normals",
+       picks.no_data_rows, picks.rejected_rows);
   for (const NullCount& null : picks.nulls)
     line("null", "z %.10g, %zu times", null.value, null.rows);
   const InputFindings found = checkInput(picks, {});
@@ -145,4 +151,6 @@ int inform(const OptionValues& values) {
 } // namespace
 } // namespace graben
 
-int main(int argc, char** argv) { return graben::runTool(graben::parser(), argc, argv, graben::inform); }
+int main(int argc, char** argv) {
+  return graben::runTool(graben::parser(), argc, argv, graben::inform);
+}

@@ -75,7 +75,8 @@ Recognised recognise(const PickSource& source, const ReadOptions& options, Conte
   if (!must_be_picks) {
     try {
       found.faults = readFaults(source.path);
-      const bool surface = std::any_of(found.faults.begin(), found.faults.end(), [](const FaultInput& f) { return f.geometry.index() == 0 && !isCloud(f); });
+      const bool surface =
+          std::any_of(found.faults.begin(), found.faults.end(), [](const FaultInput& f) { return f.geometry.index() == 0 && !isCloud(f); });
       if (kind != ContentKind::Auto || surface || areSticks(found.faults))
         return found;
     } catch (const ParseError& error) {

@@ -16,7 +16,7 @@ ContentKind contentKind(std::size_t choice);
 
 /// A file as picks or as faults; one of the two is empty.
 struct Recognised {
-  std::vector<PickSet> picks; ///< one, or one for each horizon of a file that holds several
+  std::vector<PickSet> picks;     ///< one, or one for each horizon of a file that holds several
   std::vector<FaultInput> faults; ///< sticks, or surfaces of whatever use
 
   std::vector<std::string> notes() const;

@@ -33,7 +33,8 @@ std::string pcdHeader(std::size_t points, const PcdOptions& options) {
 }
 
 std::size_t pointSize(const PcdOptions& options) {
-  return 3 * (options.doubles ? sizeof(double) : sizeof(float)) + (options.normals ? 3 * sizeof(float) : 0) + (options.piece ? sizeof(Index) : 0) + (options.reason ? 1 : 0);
+  return 3 * (options.doubles ? sizeof(double) : sizeof(float)) + (options.normals ? 3 * sizeof(float) : 0) +
+         (options.piece ? sizeof(Index) : 0) + (options.reason ? 1 : 0);
 }
 
 void requireLength(std::size_t length, std::size_t points, const std::string& path) {

@@ -64,7 +64,8 @@ std::vector<Scalar> scalarsOf(const TriangleMesh& mesh, const MeshWriteOptions& 
 
 void writeVertices(AtomicFile& file, const TriangleMesh& mesh, const MeshWriteOptions& options) {
   const std::vector<Scalar> scalars = scalarsOf(mesh, options);
-  std::size_t size = 3 * (options.origin ? sizeof(float) : sizeof(double)) + (mesh.normals.empty() ? 0 : 3 * sizeof(float)) + (mesh.piece.empty() ? 0 : sizeof(Index));
+  std::size_t size = 3 * (options.origin ? sizeof(float) : sizeof(double)) +
+                     (mesh.normals.empty() ? 0 : 3 * sizeof(float)) + (mesh.piece.empty() ? 0 : sizeof(Index));
   for (const Scalar& scalar : scalars)
     size += scalar.flag ? 1 : sizeof(float);
   writeRows(file, mesh.vertices.size(), options.threads, [&](std::size_t begin, std::size_t end, std::string& bytes) {

@@ -107,7 +107,8 @@ TEST_F(Convert, SticksKeepNamesAndOrder) {
   EXPECT_THAT(pol.errors, HasSubstr("no place for names"));
   EXPECT_EQ(std::get<std::vector<FaultStick>>(readFaults(path("a.pol"))[0].geometry).size(), 4U);
   convert("sticks.csv a.geojson");
-  EXPECT_THAT(content("a.geojson"), HasSubstr("{\"name\":\"F one\",\"stick\":1},\"geometry\":{\"type\":\"LineString\",\"coordinates\":[[1.5,2,-1400],[3.25,2,-1600]]}}"));
+  EXPECT_THAT(content("a.geojson"),
+              HasSubstr("{\"name\":\"F one\",\"stick\":1},\"geometry\":{\"type\":\"LineString\",\"coordinates\":[[1.5,2,-1400],[3.25,2,-1600]]}}"));
   convert("a.pl a.ts");
   EXPECT_FALSE(readMesh(path("a.ts")).triangles.empty());
 }

@@ -31,17 +31,17 @@ protected:
 TEST_F(Info, SaysWhatPicksAre) {
   const test::Outcome outcome = run("info", "picks.csv");
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
-  for (const char* word : {"text table, 3 columns parted by ','", "picks of a horizon", "380 picks, 20 rows without data, 0 rejected", "z 9999900, 20 times",
-                           "x         461000 to 461475", "z         1500 to 1557 ms", "down (depth or time): the header calls z 'TWT_ms'", "spacing   25.0",
-                           "densely in all directions", "z grows down"})
+  for (const char* word : {"text table, 3 columns parted by ','", "picks of a horizon", "380 picks, 20 rows without data, 0 rejected",
+                           "z 9999900, 20 times", "x         461000 to 461475", "z         1500 to 1557 ms",
+                           "down (depth or time): the header calls z 'TWT_ms'", "spacing   25.0", "densely in all directions", "z grows down"})
     EXPECT_THAT(outcome.output, HasSubstr(word));
 }
 
 TEST_F(Info, SaysWhatFaultsAre) {
   const test::Outcome outcome = run("info", "F1.pol f.ts");
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
-  for (const char* word : {"F1.pol\n", "sticks of a fault: F1", "2 sticks, 4 nodes", "z grows   not said", "a surface: F2", "3 vertices, 1 triangles in 1 pieces",
-                           "down (depth or time)"})
+  for (const char* word : {"F1.pol\n", "sticks of a fault: F1", "2 sticks, 4 nodes", "z grows   not said", "a surface: F2",
+                           "3 vertices, 1 triangles in 1 pieces", "down (depth or time)"})
     EXPECT_THAT(outcome.output, HasSubstr(word));
 }
 

@@ -57,7 +57,8 @@ struct ReadOptions {
 /// Cost is linear in the size of the file.
 /// \throw IoError if the file cannot be read
 /// \throw ParseError if the file is empty, holds no point, is cut short or has an unreadable row
-///   among the points, does not tell which columns are x, y and z, or does not hold the horizon asked for; SeveralHorizonsError if it holds several and none was asked for
+///   among the points, does not tell which columns are x, y and z,
+///    or does not hold the horizon asked for; SeveralHorizonsError if it holds several and none was asked for
 PickSet readPicks(const std::string& path, const ReadOptions& options = {});
 
 /// A file and one of the horizons in it.
