@@ -35,4 +35,11 @@ ReconstructionResult HorizonReconstruction::reconstruct(Points picks, const std:
   return result;
 }
 
+ReconstructionResult HorizonReconstruction::reconstruct(Points picks, const PreparedFaults& faults, const std::vector<DipMeasurement>& dips) const {
+  checkOptions(options_);
+  ReconstructionResult result;
+  ReconstructionJob(options_, result, &faults).run(std::move(picks), {}, dips);
+  return result;
+}
+
 } // namespace graben

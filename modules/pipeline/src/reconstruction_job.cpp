@@ -52,8 +52,8 @@ constexpr double kSurfaceGrowth = 1.1;     // memory that the surface takes at m
 
 } // namespace
 
-ReconstructionJob::ReconstructionJob(const ReconstructionOptions& options, ReconstructionResult& result)
-  : options_(options), result_(result), clock_(result.report.stages, options.progress) {}
+ReconstructionJob::ReconstructionJob(const ReconstructionOptions& options, ReconstructionResult& result, const PreparedFaults* prepared)
+  : options_(options), result_(result), prepared_(prepared), clock_(result.report.stages, options.progress) {}
 
 void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faults, const std::vector<DipMeasurement>& dips) {
   checkMemory(picks, dips.size());
@@ -113,7 +113,7 @@ void ReconstructionJob::checkMemory(const Points& picks, std::size_t dips) {
 }
 
 void ReconstructionJob::toLocalFrame(Points picks, const std::vector<DipMeasurement>& dips) {
-  result_.frame = LocalFrame::around(picks, options_.z_positive, options_.z_scale, options_.threads);
+  result_.frame = prepared_ != nullptr ? prepared_->frame : LocalFrame::around(picks, options_.z_positive, options_.z_scale, options_.threads);
   picks_ = orderPicks(std::move(picks), dips, result_.frame, options_.threads, result_.report);
   grid_ = NeighborGrid(picks_.points, std::exchange(picks_.keys, nullptr), options_.threads);
   result_.report.picks = picks_.picks;
@@ -159,7 +159,10 @@ void ReconstructionJob::buildFaults(const std::vector<FaultGeometry>& faults) {
   if (options_.fault_dip)
     preparation.loft.horizon = boundsOf(picks_.points, options_.threads);
   ReconstructionReport& report = result_.report;
-  faults_ = FaultNetwork(prepareFaults(faults, result_.frame, grid_, preparation, report.warnings, report.notes), reach);
+  if (prepared_ != nullptr)
+    faults_ = prepared_->network;
+  else
+    faults_ = FaultNetwork(prepareFaults(faults, result_.frame, grid_, preparation, report.warnings, report.notes), reach);
   zone_ = zonePicks(picks_.points, faults_, result_.report.used.zone_width, options_.threads);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/pipeline/horizon_reconstruction.h"
+#include "graben/pipeline/prepared_faults.h"
 #include "graben/pipeline/stage_clock.h"
 
 #include "evaluation.h"
@@ -22,8 +23,8 @@ namespace graben {
 /// One run of HorizonReconstruction: the stages, and what they hand on. Works in the local frame.
 class ReconstructionJob {
 public:
-  /// Both are kept by reference.
-  ReconstructionJob(const ReconstructionOptions& options, ReconstructionResult& result);
+  /// All are kept by reference. \param[in] prepared faults to take in place of those given to run(), and the frame; null: none
+  ReconstructionJob(const ReconstructionOptions& options, ReconstructionResult& result, const PreparedFaults* prepared = nullptr);
 
   /// Once only. \throw see HorizonReconstruction::reconstruct
   void run(Points picks, const std::vector<FaultGeometry>& faults, const std::vector<DipMeasurement>& dips);
@@ -78,6 +79,7 @@ private:
 
   const ReconstructionOptions& options_;
   ReconstructionResult& result_;
+  const PreparedFaults* prepared_;
   StageClock clock_;
   OrderedPicks picks_;              ///< that the stages work on
   std::optional<GivenPicks> given_; ///< where the cloud worked on is another: picks along lines are balanced, places are added in fault shadows

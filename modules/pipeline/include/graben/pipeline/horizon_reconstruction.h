@@ -75,6 +75,8 @@ struct ReconstructionResult {
   ReconstructionReport report;
 };
 
+struct PreparedFaults;
+
 /// The main job: picks and faults in, the faulted horizon out.
 ///
 /// Stages in order: frame, neighbours, faults, normals, orientation, marching cubes, cut, fit, evaluation.
@@ -92,6 +94,9 @@ public:
   /// \throw InvalidInputError if there are fewer than three distinct picks, all are on a line, a fault cannot be used or an option is out of range
   /// \throw ResourceError     if the picks, or the surface at this voxel size, would not fit into the memory limit; says how many, or which size, would
   ReconstructionResult reconstruct(Points picks, const std::vector<FaultGeometry>& faults = {}, const std::vector<DipMeasurement>& dips = {}) const;
+
+  /// The same with faults that were made ready once for several horizons. z direction and scale are those of their frame.
+  ReconstructionResult reconstruct(Points picks, const PreparedFaults& faults, const std::vector<DipMeasurement>& dips = {}) const;
 
   const ReconstructionOptions& options() const { return options_; }
 

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "graben/model/block_model.h"
+#include "graben/pipeline/horizon_reconstruction.h"
+#include "graben/pipeline/prepared_faults.h"
+
+#include <optional>
+
+namespace graben {
+
+/// A horizon of a model as the user gives it, in the user's frame.
+struct ModelHorizon {
+  std::string name;
+  Points picks;
+  HorizonRelation relation = HorizonRelation::Conformable;
+};
+
+/// Everything that can be set of a model; in the user's units. A value of 0 means: estimate it.
+struct ModelOptions {
+  ReconstructionOptions reconstruction;             ///< of every horizon; keep_picks is not looked at
+  std::optional<std::array<double, 4>> outline;     ///< least x, y and largest x, y of the model; none: what all horizons' picks span
+  double inset = 0.0;                               ///< the outline is drawn in by this much on all sides, in x, y units
+  std::optional<double> top;                        ///< z of the model's top; none: over the highest pick by a tenth of the picks' range
+  std::optional<double> base;                       ///< z of its base; none: the same below the lowest
+  double size = 0.0;                                ///< edge of the model's triangles, in x, y units; 0: the horizons' smallest voxel size
+  double min_thickness = 0.0;                       ///< a layer thinner than this, in z units, is absent; 0: two sigma of the picks, or a hundredth of the size
+  double fill = 0.0;                                ///< farthest a horizon is carried on from itself, in x, y units; beyond, it follows a neighbour; 0: any
+  bool extend_faults_to_box = false;                ///< faults are continued up and down to the model's top and base
+};
+
+/// A horizon's part in a model.
+struct ModelHorizonResult {
+  std::string name;
+  TriangleMesh mesh;            ///< as reconstructed, before it was made part of the model; in the user's frame
+  ReconstructionReport report;
+  StackHorizonReport in_model;  ///< lengths in the user's units
+};
+
+/// What a model reconstruction gives, in the user's frame.
+struct ModelResult {
+  SealedMesh sealed;
+  SealedCheck check;                       ///< of the sealed mesh; a model that is not good() is not closed
+  std::vector<ModelHorizonResult> horizons; ///< top to bottom
+  std::vector<FaultSurface> faults;        ///< as used
+  LocalFrame frame;
+  ModelOptions used;                       ///< with all that was estimated filled in
+  std::vector<std::string> warnings;
+  std::vector<std::string> notes;
+  std::vector<StageTiming> stages;
+};
+
+/// Several horizons and the faults that cut them as closed blocks.
+///
+/// The faults are made ready once, each horizon is reconstructed with them, and buildBlockModel() makes the blocks. Deterministic: the same bytes for any
+/// number of threads. Not changed by reconstruct(); one object may serve several threads.
+class ModelReconstruction {
+public:
+  explicit ModelReconstruction(ModelOptions options = {});
+
+  /// \param[in] horizons top to bottom, at least one, with names of their own
+  /// \param[in] faults   in the user's frame; may be empty
+  /// \throw InvalidInputError as HorizonReconstruction and buildBlockModel, naming the horizon; if a fault's z grows the other way than the picks'; if the
+  ///        outline holds none of the picks or top and base are the wrong way round
+  ModelResult reconstruct(std::vector<ModelHorizon> horizons, const std::vector<FaultGeometry>& faults = {}) const;
+
+  const ModelOptions& options() const { return options_; }
+
+private:
+  ModelOptions options_;
+};
+
+} // namespace graben

@@ -1,0 +1,271 @@
+#include "support/model_folder.h"
+
+#include "graben/core/errors.h"
+#include "graben/io/atomic_file.h"
+#include "graben/io/mesh_writer.h"
+#include "graben/io/sealed_writer.h"
+#include "graben/io/table_writer.h"
+
+#include <Eigen/Geometry>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+namespace graben {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+const char* const kManifest = "files.txt";
+
+/// Writes files into the results folder and keeps a list of them: what a former run's list names and this one has not written goes.
+class FolderWriter {
+public:
+  FolderWriter(const fs::path& folder, const ModelResult& result) : folder_(folder), result_(result), sealed_(result.sealed) {}
+
+  void write() {
+    makeFolder(folder_);
+    writeHorizons();
+    if (result_.check.good()) {
+      writeBlocks();
+      writePatches();
+      writeBlockTable();
+      writeContacts();
+      writeGmsh(add("model.msh"), sealed_);
+      written_.insert("model.geo");
+      writeModel3d(add("model.ml"), sealed_, named("model"));
+      writeMultiblock(add("model.vtm"), sealed_);
+      for (const auto& entry : fs::directory_iterator(folder_ / "model"))
+        written_.insert("model/" + entry.path().filename().string());
+    } else {
+      writeDefects();
+    }
+    writeText(add("report.json"), modelJson(result_));
+    removeFormer();
+  }
+
+private:
+  static void makeFolder(const fs::path& path) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error)
+      throw IoError(path.string(), "the folder cannot be made: " + error.message());
+  }
+
+  static void writeText(const std::string& path, const std::string& text) {
+    AtomicFile out(path);
+    out.write(text);
+    out.commit();
+  }
+
+  std::string add(const std::string& name) {
+    written_.insert(name);
+    const fs::path path = folder_ / name;
+    makeFolder(path.parent_path());
+    return path.string();
+  }
+
+  MeshWriteOptions named(const std::string& name) const {
+    MeshWriteOptions o;
+    o.name = name;
+    o.z_positive = result_.frame.z_positive;
+    return o;
+  }
+
+  const std::string& faultName(std::size_t f) const { return result_.faults[f].name; }
+
+  void writeHorizons() {
+    for (const ModelHorizonResult& h : result_.horizons)
+      writeMesh(add("horizons/" + fileNameOf(h.name) + "_reconstructed.ply"), h.mesh, named(h.name));
+  }
+
+  void writeBlocks() {
+    for (std::size_t b = 0; b < sealed_.blocks.size(); ++b)
+      writeMesh(add("blocks/" + fileNameOf(sealed_.blocks[b].name) + ".ply"), blockSurface(sealed_, static_cast<Index>(b)), named(sealed_.blocks[b].name));
+  }
+
+  void writePatches() {
+    for (std::size_t s = 0; s < sealed_.surfaces.size(); ++s) {
+      const SealedSurface& surface = sealed_.surfaces[s];
+      if (surface.kind != SealedSurfaceKind::Horizon && surface.kind != SealedSurfaceKind::Fault)
+        continue;
+      const TriangleMesh mesh = patchesOf(sealed_, static_cast<Index>(s));
+      if (mesh.empty())
+        continue;
+      const char* folder = surface.kind == SealedSurfaceKind::Horizon ? "horizons/" : "faults/";
+      writeMesh(add(folder + fileNameOf(surface.name) + ".ply"), mesh, named(surface.name));
+      writeMesh(add(folder + fileNameOf(surface.name) + ".ts"), mesh, named(surface.name));
+    }
+  }
+
+  void writeBlockTable() {
+    std::vector<double> number, volume, area;
+    std::vector<std::string> name, layer, sides, neighbors;
+    std::vector<std::set<Index>> next(sealed_.blocks.size());
+    for (const SealedPatch& patch : sealed_.patches)
+      if (patch.in_front >= 0 && patch.in_front != patch.behind) {
+        next[static_cast<std::size_t>(patch.behind)].insert(patch.in_front);
+        next[static_cast<std::size_t>(patch.in_front)].insert(patch.behind);
+      }
+    for (std::size_t b = 0; b < sealed_.blocks.size(); ++b) {
+      const SealedBlock& block = sealed_.blocks[b];
+      number.push_back(static_cast<double>(b + 1));
+      volume.push_back(block.volume);
+      area.push_back(block.area);
+      name.push_back(block.name);
+      layer.push_back(layerName(block.layer));
+      std::string side, list;
+      for (std::size_t f = 0; f < block.fault_side.size(); ++f)
+        if (block.fault_side[f] != 0)
+          side += (side.empty() ? "" : " ") + faultName(f) + ":" +
+                  (block.fault_side[f] == 2 ? "both" : block.fault_side[f] > 0 ? "hanging_wall" : "footwall");
+      for (const Index other : next[b])
+        list += (list.empty() ? "" : " ") + std::to_string(other + 1);
+      sides.push_back(side);
+      neighbors.push_back(list);
+    }
+    writeTable(add("blocks.csv"), {{"number", number}, {"name", name}, {"layer", layer}, {"faults", sides}, {"volume", volume}, {"area", area},
+                                   {"neighbours", neighbors}});
+  }
+
+  std::string layerName(Index layer) const {
+    const auto& h = result_.horizons;
+    if (layer == 0)
+      return "above " + h.front().name;
+    if (static_cast<std::size_t>(layer) == h.size())
+      return "below " + h.back().name;
+    return h[static_cast<std::size_t>(layer) - 1].name + " to " + h[static_cast<std::size_t>(layer)].name;
+  }
+
+  /// Which layers face each other across each fault.
+  void writeContacts() {
+    std::map<std::array<Index, 3>, double> areas;
+    for (std::size_t t = 0; t < sealed_.triangles.size(); ++t) {
+      const SealedPatch& patch = sealed_.patchOf(t);
+      if (sealed_.surfaces[static_cast<std::size_t>(patch.surface)].kind != SealedSurfaceKind::Fault)
+        continue;
+      const auto p = [&](std::size_t i) -> const Vector3& { return sealed_.vertices[static_cast<std::size_t>(sealed_.triangles[t][i])]; };
+      const auto layer = [&](Index block) { return sealed_.blocks[static_cast<std::size_t>(block)].layer; };
+      areas[{patch.surface, layer(patch.behind), layer(patch.in_front)}] += 0.5 * (p(1) - p(0)).cross(p(2) - p(0)).norm();
+    }
+    std::vector<std::string> fault, foot, hanging;
+    std::vector<double> area;
+    for (const auto& [key, value] : areas) {
+      fault.push_back(sealed_.surfaces[static_cast<std::size_t>(key[0])].name);
+      foot.push_back(layerName(key[1]));
+      hanging.push_back(layerName(key[2]));
+      area.push_back(value);
+    }
+    writeTable(add("contacts.csv"), {{"fault", fault}, {"footwall_layer", foot}, {"hanging_wall_layer", hanging}, {"area", area}});
+  }
+
+  void writeDefects() {
+    TriangleMesh mesh;
+    for (const SealedDefect& defect : result_.check.defects) {
+      if (defect.triangle < 0)
+        continue;
+      Triangle t;
+      for (std::size_t i = 0; i < 3; ++i) {
+        t[i] = static_cast<Index>(mesh.vertices.size());
+        mesh.vertices.push_back(sealed_.vertices[static_cast<std::size_t>(sealed_.triangles[static_cast<std::size_t>(defect.triangle)][i])]);
+      }
+      mesh.triangles.push_back(t);
+    }
+    if (!mesh.empty())
+      writeMesh(add("defects.vtp"), mesh, named("defects"));
+  }
+
+  void removeFormer() {
+    std::ifstream list(folder_ / kManifest);
+    std::error_code error;
+    for (std::string name; std::getline(list, name);)
+      if (!name.empty() && name.front() != '/' && name.find("..") == std::string::npos && written_.count(name) == 0)
+        fs::remove(folder_ / name, error);
+    list.close();
+    std::string text;
+    for (const std::string& name : written_)
+      text += name + "\n";
+    writeText((folder_ / kManifest).string(), text);
+  }
+
+  fs::path folder_;
+  const ModelResult& result_;
+  const SealedMesh& sealed_;
+  std::set<std::string> written_;
+};
+
+} // namespace
+
+std::string fileNameOf(const std::string& name) {
+  std::string result = name;
+  for (char& c : result)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.' && c != '+')
+      c = '_';
+  return result.empty() ? "unnamed" : result;
+}
+
+std::string modelJson(const ModelResult& result) {
+  Json json;
+  const SealedMesh& sealed = result.sealed;
+  json["closed"] = result.check.good();
+  json["blocks"] = sealed.blocks.size();
+  json["triangles"] = sealed.triangles.size();
+  json["volume"] = result.check.volume_of_box;
+  json["sum_of_block_volumes"] = result.check.volume_of_blocks;
+  json["z_positive"] = result.frame.z_positive == ZPositive::Down ? "down" : "up";
+  if (result.used.outline)
+    json["outline"] = *result.used.outline;
+  json["top"] = result.used.top.value_or(0.0);
+  json["base"] = result.used.base.value_or(0.0);
+  json["size"] = result.used.size;
+  json["min_thickness"] = result.used.min_thickness;
+  json["horizons"] = Json::array();
+  for (const ModelHorizonResult& h : result.horizons)
+    json["horizons"].push_back({{"name", h.name},
+                                {"picks", h.report.picks},
+                                {"voxel_size", h.report.used.voxel_size},
+                                {"sigma", h.report.sampling.sigma},
+                                {"extrapolated_share", h.in_model.extrapolated_share},
+                                {"extrapolated_farthest", h.in_model.farthest},
+                                {"crossing", h.in_model.crossing}});
+  json["faults"] = Json::array();
+  for (const FaultSurface& fault : result.faults)
+    json["faults"].push_back(fault.name);
+  json["defects"] = Json::array();
+  for (const SealedDefect& defect : result.check.defects)
+    json["defects"].push_back(defect.what);
+  json["warnings"] = result.warnings;
+  json["notes"] = result.notes;
+  json["stages"] = Json::array();
+  for (const StageTiming& stage : result.stages)
+    json["stages"].push_back({{"stage", stage.stage}, {"seconds", stage.seconds}, {"peak_bytes", stage.peak_bytes}});
+  return json.dump(2) + "\n";
+}
+
+std::vector<std::string> writeModelFolder(const std::string& folder, const ModelResult& result) {
+  FolderWriter(folder, result).write();
+  return {};
+}
+
+void writeModelFile(const std::string& path, const ModelResult& result) {
+  const std::string extension = fs::path(path).extension().string();
+  MeshWriteOptions options;
+  options.name = fs::path(path).stem().string();
+  options.z_positive = result.frame.z_positive;
+  if (extension == ".msh")
+    writeGmsh(path, result.sealed);
+  else if (extension == ".ml")
+    writeModel3d(path, result.sealed, options);
+  else
+    writeMultiblock(path, result.sealed);
+}
+
+} // namespace graben

@@ -1,0 +1,150 @@
+#include "support/model_options.h"
+
+#include "support/horizon_options.h"
+
+#include "graben/core/errors.h"
+#include "graben/io/fault_reader.h"
+#include "graben/io/pick_reader.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace graben {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct NamedFile {
+  std::string name, file;
+  HorizonRelation relation = HorizonRelation::Conformable;
+};
+
+/// NAME=FILE:RELATION, where a name and a relation may be left out.
+NamedFile namedFile(const std::string& text) {
+  NamedFile named;
+  const auto equals = text.find('=');
+  named.file = equals == std::string::npos ? text : text.substr(equals + 1);
+  const std::pair<const char*, HorizonRelation> relations[] = {
+    {":conformable", HorizonRelation::Conformable}, {":erosional", HorizonRelation::Erosional}, {":onlap", HorizonRelation::Onlap}};
+  for (const auto& [ending, relation] : relations) {
+    const std::string end = ending;
+    if (named.file.size() > end.size() && named.file.compare(named.file.size() - end.size(), end.size(), end) == 0) {
+      named.file.resize(named.file.size() - end.size());
+      named.relation = relation;
+      break;
+    }
+  }
+  named.name = equals == std::string::npos ? fs::path(named.file).stem().string() : text.substr(0, equals);
+  if (named.name.empty() || named.file.empty())
+    throw UsageError("option --horizon: '" + text + "' is not NAME=FILE");
+  return named;
+}
+
+void readOutline(const OptionValues& values, ModelOptions& o) {
+  const std::string& text = values.text("outline");
+  if (text == "auto")
+    return;
+  if (text.rfind("box:", 0) != 0)
+    throw UsageError("option --outline: '" + text + "' is neither auto nor box:X0,Y0,X1,Y1");
+  std::array<double, 4> box{};
+  std::size_t from = 4;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t comma = i < 3 ? text.find(',', from) : text.size();
+    std::size_t used = 0;
+    const std::string number = comma == std::string::npos ? "" : text.substr(from, comma - from);
+    try {
+      box[i] = std::stod(number, &used);
+    } catch (const std::exception&) {
+      used = 0;
+    }
+    if (number.empty() || used != number.size() || !std::isfinite(box[i]))
+      throw UsageError("option --outline: '" + text + "' is not box:X0,Y0,X1,Y1 with four numbers");
+    from = comma + 1;
+  }
+  o.outline = box;
+}
+
+ModelOptions modelOptions(const OptionValues& values, ZPositive z_positive) {
+  ModelOptions o;
+  o.reconstruction = reconstructionOptions(values, z_positive);
+  readOutline(values, o);
+  o.inset = values.number("inset", 0.0, 1e12);
+  if (values.has("top"))
+    o.top = values.number("top");
+  if (values.has("base"))
+    o.base = values.number("base");
+  o.size = values.number("size", 0.0, 1e12);
+  o.min_thickness = values.number("min-thickness", 0.0, 1e12);
+  o.fill = values.number("fill", 0.0, 1e12);
+  o.extend_faults_to_box = values.choice("extend-faults", {"none", "box"}) == 1;
+  return o;
+}
+
+} // namespace
+
+void declareModelOptions(OptionParser& parser) {
+  parser.section("Input")
+    .list("horizon", "NAME=PICKS", "picks of the horizons, top to bottom; a file may end in :erosional (cuts off the horizons below), :onlap (ends at the "
+                                   "one below) or :conformable")
+    .list("fault", "FILE", "faults that cut them: surfaces .ts .ply .obj .stl .vtp .vtk or sticks .pol .pl");
+  parser.section("Model, in the picks' units")
+    .value("outline", "AREA", "box:X0,Y0,X1,Y1, or auto: what all horizons' picks span", "auto")
+    .value("inset", "D", "draws the outline in by this much on all sides", "0")
+    .value("top", "Z", "where the model ends above (default: over the highest pick by a tenth of the picks' range)")
+    .value("base", "Z", "where it ends below")
+    .value("size", "D", "edge of the model's triangles (default: the horizons' smallest voxel size)")
+    .value("min-thickness", "T", "a layer thinner than this is absent (default: two sigma of the picks, or a hundredth of the size)")
+    .value("fill", "D", "farthest a horizon is carried on from itself over holes and to the outline; beyond, it follows its neighbour (default: any)")
+    .value("extend-faults", "HOW", "none, or box: faults are continued up and down to the model's top and base", "none");
+  declareParameterOptions(parser);
+}
+
+ModelInput readModelInput(const OptionValues& values, const ProgressCallback& progress) {
+  if (!values.has("horizon"))
+    throw UsageError("--horizon NAME=PICKS is missing: which files hold the picks?");
+  ModelInput input;
+  ReadOptions read;
+  read.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
+  read.progress = progress;
+  ZPositive way = ZPositive::Unknown;
+  std::string first;
+  for (const std::string& text : values.texts("horizon")) {
+    const NamedFile named = namedFile(text);
+    PickSet picks = readPicks(named.file, read);
+    input.notes.insert(input.notes.end(), picks.notes.begin(), picks.notes.end());
+    if (picks.z_positive != ZPositive::Unknown && way != ZPositive::Unknown && picks.z_positive != way && values.text("z-positive") == "auto")
+      throw InvalidInputError("horizons", "the z of " + named.file + " grows the other way than that of " + first + "; say which with --z-positive");
+    if (way == ZPositive::Unknown && picks.z_positive != ZPositive::Unknown) {
+      way = picks.z_positive;
+      first = named.file;
+    }
+    input.horizons.push_back({named.name, std::move(picks.points), named.relation});
+  }
+  for (const std::string& file : values.texts("fault"))
+    for (FaultInput& fault : readFaults(file)) {
+      input.notes.insert(input.notes.end(), fault.notes.begin(), fault.notes.end());
+      input.faults.push_back({std::move(fault.name), std::move(fault.geometry), fault.z_positive});
+    }
+  input.options = modelOptions(values, way);
+  return input;
+}
+
+void checkModelOutputs(const OptionValues& values) {
+  if (!values.has("output") && !values.has("results"))
+    throw UsageError("--results DIR or --output FILE is missing: where shall the model go?");
+  if (values.has("output")) {
+    const std::string extension = fs::path(values.text("output")).extension().string();
+    if (extension != ".msh" && extension != ".ml" && extension != ".vtm")
+      throw UsageError("--output " + values.text("output") + ": its extension must be .msh, .ml or .vtm");
+    const fs::path parent = fs::path(values.text("output")).parent_path();
+    if (!parent.empty() && !fs::is_directory(parent))
+      throw IoError(values.text("output"), "the folder it should go to does not exist; make it first");
+  }
+  if (values.has("results"))
+    for (fs::path path = values.text("results"); !path.empty() && !fs::is_directory(path); path = path.parent_path())
+      if (fs::exists(path))
+        throw IoError(values.text("results"), "the folder cannot be made: " + path.string() + " is a file");
+}
+
+} // namespace graben
