@@ -97,7 +97,8 @@ std::size_t joinSlivers(LabelledCells& cells, double limit) {
   for (std::size_t b = 0; b < small.size(); ++b)
     if (small[b] != 0)
       order.push_back(static_cast<Index>(b));
-  std::stable_sort(order.begin(), order.end(), [&volume](Index a, Index b) { return volume[static_cast<std::size_t>(a)] < volume[static_cast<std::size_t>(b)]; });
+  const auto smaller = [&volume](Index a, Index b) { return volume[static_cast<std::size_t>(a)] < volume[static_cast<std::size_t>(b)]; };
+  std::stable_sort(order.begin(), order.end(), smaller);
   for (const Index b : order) {
     Index best = -1;
     Contact most;

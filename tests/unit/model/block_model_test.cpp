@@ -120,7 +120,8 @@ TEST(BlockModel, FaultsThatBranchAndCross) {
 TEST(BlockModel, ALayerPinchesOut) {
   BlockModelOptions o = smallBox();
   o.min_thickness = 4.0;
-  std::vector<StackHorizon> stack = {horizon("A", [](double, double) { return 20.0; }), horizon("B", [](double x, double) { return 20.0 - (10.0 - 0.15 * x); })};
+  std::vector<StackHorizon> stack = {horizon("A", [](double, double) { return 20.0; }),
+                                     horizon("B", [](double x, double) { return 20.0 - (10.0 - 0.15 * x); })};
   stack[0].relation = HorizonRelation::Erosional;
   const BlockModel model = buildBlockModel(stack, FaultNetwork(), o);
   expectClosed(model);
@@ -135,7 +136,8 @@ TEST(BlockModel, ALayerPinchesOut) {
 
 TEST(BlockModel, AConformableHorizonAboveTheOneOverItIsRefused) {
   try {
-    buildBlockModel({horizon("A", [](double, double) { return 0.0; }), horizon("B", [](double x, double) { return -10.0 + 0.2 * x; })}, FaultNetwork(), smallBox());
+    const StackHorizon lower = horizon("B", [](double x, double) { return -10.0 + 0.2 * x; });
+    buildBlockModel({horizon("A", [](double, double) { return 0.0; }), lower}, FaultNetwork(), smallBox());
     FAIL() << "crossed horizons were taken";
   } catch (const InvalidInputError& error) {
     EXPECT_NE(std::string(error.what()).find("B lies above A by up to"), std::string::npos) << error.what();
