@@ -66,6 +66,8 @@ int run(const OptionValues& values) {
   if (values.has("output") && result.check.good())
     writeModelFile(values.text("output"), result);
   display.reset();
+  for (const std::string& warning : input.warnings)
+    std::fprintf(stderr, "warning: %s\n", warning.c_str());
   for (const std::string& warning : result.warnings)
     std::fprintf(stderr, "warning: %s\n", warning.c_str());
   if (!values.has("quiet")) {

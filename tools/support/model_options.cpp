@@ -4,6 +4,7 @@
 
 #include "graben/core/errors.h"
 #include "graben/io/fault_reader.h"
+#include "graben/io/input_check.h"
 #include "graben/io/pick_reader.h"
 
 #include <algorithm>
@@ -81,6 +82,49 @@ ModelOptions modelOptions(const OptionValues& values, ZPositive z_positive) {
   return o;
 }
 
+/// Whether picks and faults are of one frame; see checkInput(). \return what the picks, together with the faults, say of z
+ZPositive checkTogether(const OptionValues& values, const std::vector<FaultInput>& faults, PickSet& picks, ModelInput& input) {
+  InputCheckOptions check;
+  check.z_scale = values.number("z-scale", 1e-9, 1e9);
+  const std::size_t way = values.choice("z-positive", {"auto", "up", "down"});
+  check.z_way_given = way != 0;
+  if (way != 0)
+    picks.z_positive = way == 1 ? ZPositive::Up : ZPositive::Down;
+  const InputFindings found = checkInput(picks, faults, check);
+  if (!found.contradiction.empty() && !values.has("units-as-given"))
+    throw InvalidInputError("reading " + picks.source + " and the faults", found.contradiction);
+  if (!found.contradiction.empty())
+    input.warnings.push_back(found.contradiction);
+  input.notes.insert(input.notes.end(), found.notes.begin(), found.notes.end());
+  input.warnings.insert(input.warnings.end(), found.warnings.begin(), found.warnings.end());
+  return picks.z_positive;
+}
+
+/// \return which way z grows
+ZPositive readHorizons(const OptionValues& values, const std::vector<FaultInput>& faults, const ProgressCallback& progress, ModelInput& input) {
+  ReadOptions read = readOptions(values, progress);
+  read.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
+  ZPositive way = ZPositive::Unknown;
+  std::string first;
+  for (const std::string& text : values.texts("horizon")) {
+    const NamedFile named = namedFile(text);
+    const PickSource source = splitPickSource(named.file);
+    read.horizon = source.horizon;
+    PickSet picks = readPicks(source.path, read);
+    input.notes.insert(input.notes.end(), picks.notes.begin(), picks.notes.end());
+    input.warnings.insert(input.warnings.end(), picks.warnings.begin(), picks.warnings.end());
+    const ZPositive its_way = checkTogether(values, faults, picks, input);
+    if (its_way != ZPositive::Unknown && way != ZPositive::Unknown && its_way != way)
+      throw InvalidInputError("horizons", "the z of " + named.file + " grows the other way than that of " + first + "; say which with --z-positive");
+    if (way == ZPositive::Unknown && its_way != ZPositive::Unknown) {
+      way = its_way;
+      first = named.file;
+    }
+    input.horizons.push_back({named.name, std::move(picks.points), named.relation});
+  }
+  return way;
+}
+
 } // namespace
 
 void declareModelOptions(OptionParser& parser) {
@@ -88,6 +132,9 @@ void declareModelOptions(OptionParser& parser) {
     .list("horizon", "NAME=PICKS", "picks of the horizons, top to bottom; a file may end in :erosional (cuts off the horizons below), :onlap (ends at the "
                                    "one below) or :conformable")
     .list("fault", "FILE", "faults that cut them: surfaces .ts .ply .obj .stl .vtp .vtk or sticks .pol .pl");
+  declareTableOptions(parser);
+  parser.value("fault-z-positive", "WAY", "which way z of the faults grows: up, down or auto (as their files say, else as the picks')", "auto")
+    .flag("units-as-given", "picks and faults are in the same units and directions although it does not look so");
   parser.section("Model, in the picks' units")
     .value("outline", "AREA", "box:X0,Y0,X1,Y1, or auto: what all horizons' picks span", "auto")
     .value("inset", "D", "draws the outline in by this much on all sides", "0")
@@ -104,28 +151,19 @@ ModelInput readModelInput(const OptionValues& values, const ProgressCallback& pr
   if (!values.has("horizon"))
     throw UsageError("--horizon NAME=PICKS is missing: which files hold the picks?");
   ModelInput input;
-  ReadOptions read;
-  read.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
-  read.progress = progress;
-  ZPositive way = ZPositive::Unknown;
-  std::string first;
-  for (const std::string& text : values.texts("horizon")) {
-    const NamedFile named = namedFile(text);
-    PickSet picks = readPicks(named.file, read);
-    input.notes.insert(input.notes.end(), picks.notes.begin(), picks.notes.end());
-    if (picks.z_positive != ZPositive::Unknown && way != ZPositive::Unknown && picks.z_positive != way && values.text("z-positive") == "auto")
-      throw InvalidInputError("horizons", "the z of " + named.file + " grows the other way than that of " + first + "; say which with --z-positive");
-    if (way == ZPositive::Unknown && picks.z_positive != ZPositive::Unknown) {
-      way = picks.z_positive;
-      first = named.file;
-    }
-    input.horizons.push_back({named.name, std::move(picks.points), named.relation});
-  }
+  std::vector<FaultInput> faults;
+  const std::size_t fault_way = values.choice("fault-z-positive", {"auto", "up", "down"});
   for (const std::string& file : values.texts("fault"))
     for (FaultInput& fault : readFaults(file)) {
       input.notes.insert(input.notes.end(), fault.notes.begin(), fault.notes.end());
-      input.faults.push_back({std::move(fault.name), std::move(fault.geometry), fault.z_positive});
+      input.warnings.insert(input.warnings.end(), fault.warnings.begin(), fault.warnings.end());
+      if (fault_way != 0)
+        fault.z_positive = fault_way == 1 ? ZPositive::Up : ZPositive::Down;
+      faults.push_back(std::move(fault));
     }
+  const ZPositive way = readHorizons(values, faults, progress, input);
+  for (FaultInput& fault : faults)
+    input.faults.push_back({std::move(fault.name), std::move(fault.geometry), fault.z_positive});
   input.options = modelOptions(values, way);
   return input;
 }

@@ -13,7 +13,8 @@ struct ModelInput {
   std::vector<ModelHorizon> horizons;
   std::vector<FaultGeometry> faults;
   ModelOptions options;
-  std::vector<std::string> notes; ///< sentences for the user
+  std::vector<std::string> notes;    ///< sentences for the user
+  std::vector<std::string> warnings; ///< the same: what is probably not as it was meant
 };
 
 void declareModelOptions(OptionParser& parser);

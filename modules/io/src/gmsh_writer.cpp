@@ -110,7 +110,8 @@ private:
   }
 
   void writeEntities(AtomicFile& file) const {
-    std::string text = "$Entities\n" + std::to_string(points_.size()) + " " + std::to_string(lines_.size()) + " " + std::to_string(mesh_.patches.size()) + " 0\n";
+    std::string text = "$Entities\n";
+    text += std::to_string(points_.size()) + " " + std::to_string(lines_.size()) + " " + std::to_string(mesh_.patches.size()) + " 0\n";
     for (const auto& [vertex, tag] : points_) {
       text += std::to_string(tag) + " ";
       appendPlace(text, mesh_.vertices[static_cast<std::size_t>(vertex)]);

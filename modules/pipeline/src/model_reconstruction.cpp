@@ -5,6 +5,7 @@
 #include "graben/core/errors.h"
 #include "graben/faults/extension.h"
 #include "graben/features/mean_distance.h"
+#include "graben/features/pick_layout.h"
 #include "graben/features/sampling.h"
 #include "graben/pipeline/stage_clock.h"
 
@@ -75,8 +76,10 @@ private:
         const NeighborGrid grid(local, 0.0, r.threads);
         const Sampling sampling = estimateSampling(grid, r.threads);
         const double mean = meanPickDistance(grid, r.threads);
-        reach = std::max(reach, std::max(6.0 * mean, 2.0 * (sampling.rho + sampling.delta)));
-        distance = std::max(distance, mean);
+        const PickLayout layout = pickLayout(grid, r.threads);
+        const double between = layout.along_lines ? layout.farthest_lines : sampling.rho;
+        reach = std::max(reach, std::max(6.0 * mean, 2.0 * (between + sampling.delta)));
+        distance = std::max(distance, layout.along_lines ? layout.along : mean);
       } catch (const Error& error) {
         throw InvalidInputError("horizon " + h.name, error.what());
       }

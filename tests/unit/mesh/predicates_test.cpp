@@ -50,7 +50,8 @@ protected:
     EXPECT_EQ(one, trianglesIntersect(points_, {a[1], a[2], a[0]}, {b[2], b[1], b[0]}));
     return one;
   }
-  Points points_ = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {5, 5, 0}, {4, 4, 0}, {1, 2, 0}, {2, 1, 0}, {1, 1, 0}, {9, 9, 0}, {0, 0, 3}, {0, 2, -3}};
+  Points points_ = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {5, 5, 0}, {4, 4, 0},
+                    {1, 2, 0}, {2, 1, 0}, {1, 1, 0}, {9, 9, 0}, {0, 0, 3}, {0, 2, -3}};
 };
 
 TEST_F(TrianglesIntersect, WhereOnePiercesTheOther) { EXPECT_TRUE(meet({0, 1, 2}, {3, 4, 5})); }

@@ -24,7 +24,7 @@ struct TetrahedronMesh {
   Points vertices;
   std::vector<Index> node_vertex;                 ///< vertex of each node
   std::vector<Tetrahedron> cells;                 ///< nodes
-  std::vector<std::array<std::int16_t, 4>> marks; ///< of the face opposite each corner, below zero: none; the faces of two neighbours may have marks of their own
+  std::vector<std::array<std::int16_t, 4>> marks; ///< of the face opposite each corner, below zero: none; two neighbours may differ
 
   const Vector3& position(Index node) const { return vertices[static_cast<std::size_t>(vertexOf(node))]; }
   Index vertexOf(Index node) const { return node_vertex[static_cast<std::size_t>(node)]; }
