@@ -38,6 +38,7 @@ public:
       writeBlocks();
       writePatches();
       writeBlockTable();
+      writePatchTable();
       writeContacts();
       writeGmsh(add("model.msh"), sealed_);
       written_.insert("model.geo");
@@ -107,7 +108,7 @@ private:
   }
 
   void writeBlockTable() {
-    std::vector<double> number, volume, area;
+    std::vector<double> number, volume, area, layer_number;
     std::vector<std::string> name, layer, sides, neighbors;
     std::vector<std::set<Index>> next(sealed_.blocks.size());
     for (const SealedPatch& patch : sealed_.patches)
@@ -122,6 +123,7 @@ private:
       area.push_back(block.area);
       name.push_back(block.name);
       layer.push_back(layerName(block.layer));
+      layer_number.push_back(block.layer);
       std::string side, list;
       for (std::size_t f = 0; f < block.fault_side.size(); ++f)
         if (block.fault_side[f] != 0)
@@ -132,8 +134,8 @@ private:
       sides.push_back(side);
       neighbors.push_back(list);
     }
-    writeTable(add("blocks.csv"), {{"number", number}, {"name", name}, {"layer", layer}, {"faults", sides}, {"volume", volume}, {"area", area},
-                                   {"neighbours", neighbors}});
+    writeTable(add("blocks.csv"), {{"number", number}, {"name", name}, {"layer", layer}, {"layer_number", layer_number}, {"faults", sides},
+                                   {"volume", volume}, {"area", area}, {"neighbours", neighbors}});
   }
 
   std::string layerName(Index layer) const {
@@ -143,6 +145,26 @@ private:
     if (static_cast<std::size_t>(layer) == h.size())
       return "below " + h.back().name;
     return h[static_cast<std::size_t>(layer) - 1].name + " to " + h[static_cast<std::size_t>(layer)].name;
+  }
+
+  /// Blocks behind and in front of each patch by number; 0: outside.
+  void writePatchTable() {
+    const std::map<SealedSurfaceKind, std::string> kinds = {{SealedSurfaceKind::Wall, "wall"}, {SealedSurfaceKind::Top, "top"},
+                                                            {SealedSurfaceKind::Base, "base"}, {SealedSurfaceKind::Horizon, "horizon"},
+                                                            {SealedSurfaceKind::Fault, "fault"}};
+    std::vector<double> number, behind, in_front;
+    std::vector<std::string> surface, kind, way;
+    for (std::size_t p = 0; p < sealed_.patches.size(); ++p) {
+      const SealedPatch& patch = sealed_.patches[p];
+      number.push_back(static_cast<double>(p + 1));
+      surface.push_back(sealed_.surfaces[static_cast<std::size_t>(patch.surface)].name);
+      kind.push_back(kinds.at(sealed_.surfaces[static_cast<std::size_t>(patch.surface)].kind));
+      behind.push_back(patch.behind + 1.0);
+      in_front.push_back(patch.in_front + 1.0);
+      way.push_back(result_.frame.z_positive == ZPositive::Down ? "down" : "up");
+    }
+    writeTable(add("patches.csv"), {{"number", number}, {"surface", surface}, {"kind", kind}, {"behind", behind}, {"in_front", in_front},
+                                    {"z_positive", way}});
   }
 
   /// Which layers face each other across each fault.

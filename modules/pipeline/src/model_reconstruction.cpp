@@ -90,7 +90,10 @@ private:
       p = prepared_.frame.toLocal(p);
     placeBox();
     const NeighborGrid grid(all, 0.0, r.threads);
-    std::vector<FaultSurface> surfaces = prepareFaults(faults, prepared_.frame, grid, {reach, distance}, result_.warnings);
+    FaultPreparation preparation{reach, distance, {r.fault_smoothing, r.fault_dip, {}}};
+    if (r.fault_dip)
+      preparation.loft.horizon = bounds_;
+    std::vector<FaultSurface> surfaces = prepareFaults(faults, prepared_.frame, grid, preparation, result_.warnings, result_.notes);
     if (o_.extend_faults_to_box)
       for (FaultSurface& fault : surfaces)
         fault = extendedAlongDip(fault, 2.0 * box_.size().z());
