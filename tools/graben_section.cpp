@@ -11,7 +11,7 @@
 namespace graben {
 namespace {
 
-const std::vector<std::string> kFormats = {"svg", "png", "dxf", "vtp", "csv"};
+const std::vector<std::string> kFormats = {"svg", "png", "pdf", "dxf", "vtp", "csv"};
 
 OptionParser parser() {
   OptionParser p("graben_section", "Cuts vertical sections through a closed model: an area for each block, horizons and faults, and the throws at the faults.");
@@ -24,7 +24,7 @@ OptionParser parser() {
     .value("band", "D", "how near picks must be to be drawn (default: a hundredth of the section's length)");
   p.section("Output")
     .value("output", "DIR", "folder for section_N.svg and so on (required); made if it is not there")
-    .value("format", "NAMES", "svg, png, dxf, vtp, csv, separated by commas", "svg,png,csv")
+    .value("format", "NAMES", "svg, png, pdf, dxf, vtp, csv, separated by commas", "svg,png,csv")
     .flag("quiet", "say nothing but errors");
   p.epilog("Example:\n  graben_section model --line 0,2000,9000,2000 --line 5000,-3000,5000,3000 --output sections\n");
   return p;
@@ -61,7 +61,7 @@ SectionFileOptions fileOptions(const OptionValues& values) {
       continue;
     }
     if (std::find(kFormats.begin(), kFormats.end(), name) == kFormats.end())
-      throw UsageError("option --format: '" + name + "' is not one of svg, png, dxf, vtp, csv");
+      throw UsageError("option --format: '" + name + "' is not one of svg, png, pdf, dxf, vtp, csv");
     o.formats.insert(name);
     name.clear();
   }
@@ -85,8 +85,7 @@ int run(const OptionValues& values) {
   const SealedInput model = readSealed(values.positionals().front());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const ModelSection section = cutModel(model.mesh, lines[i], model.z_positive == ZPositive::Down);
-    for (const std::string& note : writeSection(values.text("output"), "section_" + std::to_string(i + 1), model, section, options))
-      std::fprintf(stderr, "note: %s\n", note.c_str());
+    writeSection(values.text("output"), "section_" + std::to_string(i + 1), model, section, options);
     if (values.has("quiet"))
       continue;
     double area = 0.0;

@@ -104,8 +104,8 @@ void writeTables(const fs::path& folder, const std::string& name, const SealedIn
 
 } // namespace
 
-std::vector<std::string> writeSection(const std::string& folder_name, const std::string& name, const SealedInput& model, const ModelSection& section,
-                                      const SectionFileOptions& options) {
+void writeSection(const std::string& folder_name, const std::string& name, const SealedInput& model, const ModelSection& section,
+                  const SectionFileOptions& options) {
   const fs::path folder = folder_name;
   std::error_code error;
   fs::create_directories(folder, error);
@@ -113,21 +113,17 @@ std::vector<std::string> writeSection(const std::string& folder_name, const std:
     throw IoError(folder.string(), "the folder cannot be made: " + error.message());
   const SectionDrawing drawing = drawingOf(name, model, section, options);
   const auto asked = [&options](const char* format) { return options.formats.count(format) != 0; };
-  if (asked("svg"))
-    writeText(folder / (name + ".svg"), sectionSvg(drawing));
+  PictureFormats pictures;
+  pictures.png = asked("png");
+  pictures.svg = asked("svg");
+  pictures.pdf = asked("pdf");
+  drawSection((folder / name).string(), pictures, drawing);
   if (asked("dxf"))
     writeText(folder / (name + ".dxf"), sectionDxf(drawing));
   if (asked("vtp"))
     writeText(folder / (name + ".vtp"), sectionVtp(drawing, section.line));
   if (asked("csv"))
     writeTables(folder, name, model, section);
-  if (!asked("png"))
-    return {};
-  const Offscreen screen;
-  if (!screen.available())
-    return {"No pictures: " + screen.reason()};
-  renderSectionDrawing(screen, (folder / (name + ".png")).string(), drawing);
-  return {};
 }
 
 } // namespace graben

@@ -1,5 +1,6 @@
 #include "graben/model/block_model.h"
 
+#include "coarsen.h"
 #include "fault_tears.h"
 #include "horizon_heights.h"
 #include "labelled_cells.h"
@@ -40,6 +41,8 @@ public:
     cutAlongHorizons();
     report(o_.progress, "blocks", 0.0);
     label();
+    report(o_.progress, "shaping triangles", 0.0);
+    coarsen(cells_, {o_.box, o_.size});
     std::vector<double> beyond;
     model_.sealed = sealCells(cells_, horizons_, faults_, o_, beyond);
     reportHorizons(beyond);

@@ -106,6 +106,21 @@ void Canvas::area(const std::vector<Place>& ring, const Color& color, double opa
   cairo_fill(state_->context);
 }
 
+void Canvas::area(const std::vector<std::vector<Place>>& rings, const Color& color) {
+  cairo_t* to = state_->context;
+  setColor(to, color, 1.0);
+  cairo_new_path(to);
+  for (const std::vector<Place>& ring : rings) {
+    cairo_new_sub_path(to);
+    for (const Place& place : ring)
+      cairo_line_to(to, place.x(), place.y());
+    cairo_close_path(to);
+  }
+  cairo_set_fill_rule(to, CAIRO_FILL_RULE_EVEN_ODD);
+  cairo_fill(to);
+  cairo_set_fill_rule(to, CAIRO_FILL_RULE_WINDING);
+}
+
 void Canvas::box(const Frame& frame, const Color& color, double opacity) {
   setColor(state_->context, color, opacity);
   cairo_rectangle(state_->context, frame.left, frame.top, frame.width, frame.height);

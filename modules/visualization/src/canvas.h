@@ -63,6 +63,8 @@ public:
   /// Many lines in one stroke.
   void lines(const std::vector<std::vector<Place>>& lines, const Pen& pen);
   void area(const std::vector<Place>& ring, const Color& color, double opacity = 1.0);
+  /// With holes: what lies within an odd number of the rings.
+  void area(const std::vector<std::vector<Place>>& rings, const Color& color);
   void box(const Frame& frame, const Color& color, double opacity = 1.0);
   /// Slanted lines within a ring.
   void hatch(const std::vector<Place>& ring, const Pen& pen, double distance);

@@ -105,12 +105,13 @@ std::string sectionVtp(const SectionDrawing& drawing, const std::vector<Eigen::V
   const auto array = [](const std::string& type, const std::string& name, const std::string& content) {
     return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" format=\"ascii\">\n" + content + "\n</DataArray>\n";
   };
-  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">\n<PolyData>\n<Piece NumberOfPoints=\"" +
-         std::to_string(count) + "\" NumberOfLines=\"" + std::to_string(lines) + "\" NumberOfPolys=\"" + std::to_string(rings) +
-         "\">\n<CellData>\n" + array("Int32", "layer", layers) + "</CellData>\n<Points>\n" +
-         "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n" + points + "</DataArray>\n</Points>\n<Lines>\n" + array("Int64", "connectivity", line_cells) + array("Int64", "offsets", line_ends) +
-         "</Lines>\n<Polys>\n" + array("Int64", "connectivity", ring_cells) + array("Int64", "offsets", ring_ends) +
-         "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+  std::string out = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\">\n<PolyData>\n";
+  out += "<Piece NumberOfPoints=\"" + std::to_string(count) + "\" NumberOfLines=\"" + std::to_string(lines) + "\" NumberOfPolys=\"" +
+         std::to_string(rings) + "\">\n<CellData>\n" + array("Int32", "layer", layers) + "</CellData>\n";
+  out += "<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n" + points + "</DataArray>\n</Points>\n";
+  out += "<Lines>\n" + array("Int64", "connectivity", line_cells) + array("Int64", "offsets", line_ends) + "</Lines>\n";
+  out += "<Polys>\n" + array("Int64", "connectivity", ring_cells) + array("Int64", "offsets", ring_ends) + "</Polys>\n";
+  return out + "</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
 } // namespace graben

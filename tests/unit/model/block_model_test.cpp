@@ -144,6 +144,26 @@ TEST(BlockModel, AConformableHorizonAboveTheOneOverItIsRefused) {
   }
 }
 
+TEST(BlockModel, TrianglesAreWellShaped) {
+  const FaultNetwork faults({planeFault("F", Vector3::Zero(), {0.6, 0.8}, 2.0, -400.0, 400.0), planeFault("G", Vector3(60, 0, 0), {0, 1}, 3.0, -30.0, 400.0)});
+  const BlockModel model = buildBlockModel({horizon("A", [](double x, double y) { return 20.0 * std::sin(x / 60.0) * std::cos(y / 50.0); }),
+                                            horizon("B", [](double x, double y) { return 20.0 * std::sin(x / 60.0) * std::cos(y / 50.0) - 33.0; })},
+                                           faults, smallBox(10.0));
+  expectClosed(model);
+  std::size_t slivers = 0;
+  double smallest = 4.0;
+  for (const Triangle& t : model.sealed.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto p = [&](std::size_t k) -> const Vector3& { return model.sealed.vertices[static_cast<std::size_t>(t[(i + k) % 3])]; };
+      const Vector3 a = (p(1) - p(0)).normalized(), b = (p(2) - p(0)).normalized();
+      const double angle = std::acos(std::min(1.0, a.dot(b)));
+      smallest = std::min(smallest, angle);
+      slivers += angle < 10.0 * 3.14159265 / 180.0 ? 1 : 0;
+    }
+  EXPECT_LT(static_cast<double>(slivers), 0.02 * static_cast<double>(model.sealed.triangles.size()));
+  EXPECT_GT(smallest, 0.2 * 3.14159265 / 180.0);
+}
+
 TEST(BlockModel, HolesAndRimsAreCarriedOn) {
   TriangleMesh mesh = surfaceOver(150.0, 30, [](double x, double y) { return 0.2 * x - 0.1 * y; });
   std::vector<Triangle> kept;

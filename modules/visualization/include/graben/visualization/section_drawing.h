@@ -1,7 +1,7 @@
 #pragma once
 
 #include "graben/core/types.h"
-#include "graben/visualization/offscreen.h"
+#include "graben/visualization/picture_formats.h"
 
 #include <string>
 #include <vector>
@@ -45,10 +45,6 @@ struct SectionDrawing {
   int height = 800;                     ///< pixels
 };
 
-/// Scalable Vector Graphics: areas filled by layer, lines, labels, axes with numbers, legend, vertical exaggeration. The whole file's text.
-/// \throw InvalidInputError if there is nothing finite to draw
-std::string sectionSvg(const SectionDrawing& drawing);
-
 /// AutoCAD R12 DXF: closed polylines on a layer for each of the model's layers, polylines on a layer for each horizon and fault, x the distance along
 /// the section, y z (turned up where it grows downward).
 std::string sectionDxf(const SectionDrawing& drawing);
@@ -57,8 +53,8 @@ std::string sectionDxf(const SectionDrawing& drawing);
 /// \param[in] plan x y of a distance along the section
 std::string sectionVtp(const SectionDrawing& drawing, const std::vector<Eigen::Vector2d>& plan);
 
-/// The same as sectionSvg() as PNG, complete or not at all. Not thread-safe.
-/// \throw Error if the screen is not available; IoError if the file cannot be written; InvalidInputError as sectionSvg
-void renderSectionDrawing(const Offscreen& screen, const std::string& png, const SectionDrawing& drawing);
+/// Draws areas filled by layer, lines, labels, axes with numbers and a legend, and writes them as STEM.png and so on, each whole or not at all.
+/// \throw IoError if a file cannot be written; InvalidInputError if there is nothing finite to draw
+void drawSection(const std::string& stem, const PictureFormats& formats, const SectionDrawing& drawing);
 
 } // namespace graben
