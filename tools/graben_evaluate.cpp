@@ -1,11 +1,10 @@
 #include "support/evaluation_report.h"
+#include "support/file_arguments.h"
 #include "support/run.h"
 
-#include "graben/core/errors.h"
-#include "graben/io/atomic_file.h"
+#include "graben/core/atomic_file.h"
 
 #include <cstdio>
-#include <filesystem>
 
 namespace {
 
@@ -55,11 +54,9 @@ EvaluationOptions evaluationOptions(const OptionValues& values) {
 }
 
 void checkReport(const OptionValues& values) {
-  if (!values.has("report"))
-    return;
-  const std::filesystem::path path = values.text("report");
-  if (!path.parent_path().empty() && !std::filesystem::is_directory(path.parent_path()))
-    throw IoError(path.string(), "the folder it should go to does not exist; make it first");
+  std::vector<FileArgument> inputs = filesOf(values, {"picks", "fault", "truth", "cutoffs", "config"});
+  inputs.push_back({"MESH", values.positionals().front()});
+  checkOutputs(filesOf(values, {"report"}), inputs);
 }
 
 int evaluate(const OptionValues& values) {

@@ -1,4 +1,5 @@
 #include "support/cloud_surface.h"
+#include "support/file_arguments.h"
 #include "support/horizon_options.h"
 #include "support/run.h"
 
@@ -51,6 +52,9 @@ int convert(const OptionValues& values) {
     const std::vector<double> origin = values.numbers("origin", 3);
     options.origin = Vector3(origin[0], origin[1], origin[2]);
   }
+  std::vector<FileArgument> inputs = filesOf(values, {"config"});
+  inputs.push_back({"INPUT.pcd", values.positionals()[0]});
+  checkOutputs({{"OUTPUT.ply", values.positionals()[1]}}, inputs);
   pcl::PCLPointCloud2 cloud = readCloud(values.positionals()[0]);
   if (values.has("mesh")) {
     CloudSurface surface = reconstructCloud(cloud, reconstructionOptions(values, ZPositive::Unknown));

@@ -1,4 +1,5 @@
 #include "support/horizon_options.h"
+#include "support/output_checks.h"
 #include "support/progress_display.h"
 #include "support/results_folder.h"
 #include "support/run.h"
@@ -109,7 +110,7 @@ int run(const OptionValues& values) {
   if (!values.has("output") && !values.has("results"))
     throw UsageError("--output SURFACE is missing: where shall the horizon go?");
   const std::vector<Requirement> requirements = readRequirements(values);
-  checkOutputs(values);
+  checkHorizonOutputs(values);
   unitNames(values);
   pictureChoice(values);
   std::optional<ProgressDisplay> display(progressMode(values));
@@ -119,6 +120,7 @@ int run(const OptionValues& values) {
   clock.start("reading");
   HorizonInput input = readHorizonInput(values, progress);
   clock.stop();
+  checkFaultResults(values, input.faults);
   std::vector<std::string> notes = std::move(input.notes);
   const std::vector<std::string> warnings = std::move(input.warnings);
   ReconstructionResult result = reconstruct(values, std::move(input), progress);

@@ -1,3 +1,4 @@
+#include "support/file_arguments.h"
 #include "support/run.h"
 
 #include "graben/core/errors.h"
@@ -110,7 +111,15 @@ RenderOptions readRenderOptions(const OptionValues& values) {
   return options;
 }
 
+void checkPicture(const OptionValues& values) {
+  std::vector<FileArgument> inputs = filesOf(values, {"fault", "picks", "truth", "config"});
+  for (const std::string& mesh : values.positionals())
+    inputs.push_back({"MESH", mesh});
+  checkOutputs({{"--output", values.text("output")}}, inputs);
+}
+
 int render(const OptionValues& values) {
+  checkPicture(values);
   Content content = readContent(values);
   if (content.mesh.piece.empty() && !content.mesh.empty()) {
     removeUnreferencedVertices(content.mesh);

@@ -191,6 +191,7 @@ int synthesize(const OptionValues& values) {
   write.threads = static_cast<unsigned>(values.integer("threads", 0, 1024));
   const SyntheticOptions options = readOptions(values);
   const SyntheticModel model(options);
+  checkSyntheticFolder(values, model.faultCount());
   const SyntheticFolder folder = writeSyntheticFolder(model, values.text("output"), write);
   if (!values.has("quiet"))
     std::cout << "Wrote " << folder.picks << " picks of " << model.blockCount() << " block(s), "

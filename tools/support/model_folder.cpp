@@ -1,7 +1,7 @@
 #include "support/model_folder.h"
 
 #include "graben/core/errors.h"
-#include "graben/io/atomic_file.h"
+#include "graben/core/atomic_file.h"
 #include "graben/io/mesh_writer.h"
 #include "graben/io/sealed_writer.h"
 #include "graben/io/table_writer.h"

@@ -307,6 +307,8 @@ std::string OptionParser::helpText() const {
       appendWrapped(out, option.help + preset, kColumn, kColumn);
     }
   }
+  out += "\nExit codes: 0 done; 1 the input cannot be used, or a check asked for is not met; 2 wrong use; 4 an output\n"
+         "cannot be written; 5 a mistake in graben; 130 Ctrl-C.\n";
   return epilog_.empty() ? out : out + "\n" + epilog_ + "\n";
 }
 

@@ -1,19 +1,20 @@
 #include "support/results_folder.h"
 
+#include "support/output_checks.h"
 #include "support/takeaway_pictures.h"
 #include "support/takeaways.h"
 
+#include "graben/core/atomic_file.h"
 #include "graben/core/errors.h"
-#include "graben/io/atomic_file.h"
+#include "graben/core/file_set.h"
 #include "graben/io/mesh_writer.h"
 #include "graben/io/pick_writer.h"
 #include "graben/io/table_writer.h"
 #include "graben/mesh/components.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
-#include <set>
+#include <optional>
 
 namespace graben {
 
@@ -28,13 +29,6 @@ MeshWriteOptions meshOptions(const ReconstructionResult& result, const std::stri
   return o;
 }
 
-std::string fileName(std::string name) {
-  for (char& c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.')
-      c = '_';
-  return name.empty() ? "fault" : name;
-}
-
 void writeText(const fs::path& file, const std::string& text) {
   AtomicFile out(file.string());
   out.write(text);
@@ -44,29 +38,11 @@ void writeText(const fs::path& file, const std::string& text) {
 std::string pieceFile(std::size_t number) { return "piece_" + std::to_string(number) + ".ts"; }
 
 std::string faultFile(const char* what, std::size_t fault, const ReconstructionResult& result) {
-  return std::string(what) + "_" + std::to_string(fault + 1) + "_" + fileName(result.faults[fault].name);
-}
-
-/// Removes the numbered files of a former run, as there may be more of them than this run writes.
-void removeFormerRun(const fs::path& dir) {
-  if (!fs::exists(dir / "report.json"))
-    return;
-  std::vector<fs::path> former;
-  for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
-    const std::string name = entry.path().filename().string();
-    const std::string extension = entry.path().extension().string();
-    for (const char* prefix : {"piece_", "fault_", "cutoffs_", "throw_", "profile_", "gap_", "overlap_", "throw_profile_", "allan_", "section_"})
-      if (name.rfind(prefix, 0) == 0 && std::set<std::string>{".ts", ".pol", ".csv", ".png", ".svg", ".pdf"}.count(extension) > 0)
-        former.push_back(entry.path());
-  }
-  std::error_code error;
-  for (const fs::path& file : former)
-    fs::remove(file, error);
+  return fileOfFault(what, fault, result.faults[fault].name);
 }
 
 void writePieces(const fs::path& dir, const ReconstructionResult& result) {
   const std::vector<TriangleMesh> pieces = splitComponents(result.mesh, connectedComponents(result.mesh));
-  removeFormerRun(dir);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const fs::path file = dir / pieceFile(i + 1);
     writeMesh(file.string(), pieces[i], meshOptions(result, file.stem().string()));
@@ -130,50 +106,8 @@ std::vector<std::string> writeSurface(const OptionValues& values, const Reconstr
   return writeMesh(values.text("output"), result.mesh, o);
 }
 
-void checkFile(const fs::path& path) {
-  if (fs::is_directory(path))
-    throw IoError(path.string(), "is a folder, not a file to write to");
-  if (!path.parent_path().empty() && !fs::is_directory(path.parent_path()))
-    throw IoError(path.string(), "the folder it should go to does not exist; make it first");
-}
-
-} // namespace
-
-void checkOutputs(const OptionValues& values) {
-  if (values.has("output")) {
-    const fs::path path = values.text("output");
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto& known = meshWriteExtensions();
-    if (std::find(known.begin(), known.end(), extension) == known.end()) {
-      std::string list;
-      for (const std::string& e : known)
-        list += " " + e;
-      throw UsageError("--output " + path.string() + ": its extension must be one of" + list);
-    }
-    checkFile(path);
-  }
-  if (values.has("report"))
-    checkFile(values.text("report"));
-  if (values.has("results"))
-    for (fs::path path = values.text("results"); !path.empty() && !fs::is_directory(path); path = path.parent_path())
-      if (fs::exists(path))
-        throw IoError(values.text("results"), "the folder cannot be made: " + path.string() + " is a file");
-}
-
-std::vector<std::string> writeOutputs(const OptionValues& values, const ReconstructionResult& result) {
-  std::vector<std::string> notes;
-  if (values.has("output"))
-    notes = writeSurface(values, result);
-  if (values.has("report"))
-    writeText(values.text("report"), toJson(result.report));
-  if (!values.has("results"))
-    return notes;
-  const fs::path dir = values.text("results");
-  std::error_code error;
-  fs::create_directories(dir, error);
-  if (error)
-    throw IoError(dir.string(), "the folder cannot be made: " + error.message());
+/// All that goes with the surface, into \a dir. \return why there are no pictures
+std::vector<std::string> writeResults(const fs::path& dir, const OptionValues& values, const ReconstructionResult& result) {
   writeMesh((dir / "surface.ply").string(), result.mesh, meshOptions(result, "surface"));
   TriangleMesh local = result.mesh;
   for (Vector3& p : local.vertices)
@@ -187,8 +121,73 @@ std::vector<std::string> writeOutputs(const OptionValues& values, const Reconstr
   writePolygons(dir, result);
   writePicks(dir, result);
   writeText(dir / "report.json", toJson(result.report));
-  const std::vector<std::string> pictures = drawPictures(dir, result, unitNames(values), pictureChoice(values));
-  notes.insert(notes.end(), pictures.begin(), pictures.end());
+  return drawPictures(dir, result, unitNames(values), pictureChoice(values));
+}
+
+/// Steps of writing, of which an error says which are done.
+class WritingSteps {
+public:
+  explicit WritingSteps(const OptionValues& values) {
+    for (const char* option : {"output", "report", "results"})
+      if (values.has(option))
+        left_.push_back(std::string("--") + option + " " + values.text(option));
+  }
+
+  /// \param[in] last whether the first option that is left is done afterwards
+  template <typename Step>
+  void run(bool last, Step&& step) {
+    try {
+      step();
+    } catch (const IoError& error) {
+      throw WriteError(error.file(), error.reason() + standing());
+    }
+    if (last) {
+      done_.push_back(left_.front());
+      left_.erase(left_.begin());
+    }
+  }
+
+private:
+  static std::string joined(const std::vector<std::string>& texts) {
+    std::string all;
+    for (const std::string& text : texts)
+      all += (all.empty() ? "" : ", ") + text;
+    return all;
+  }
+
+  std::string standing() const {
+    return "; " + (done_.empty() ? "nothing" : joined(done_)) + " was written, " + joined(left_) + (left_.size() == 1 ? " is" : " are") + " as before";
+  }
+
+  std::vector<std::string> left_, done_;
+};
+
+std::vector<std::string> writeStaged(const FileSet& set, const OptionValues& values, const ReconstructionResult& result) {
+  try {
+    return writeResults(set.staging(), values, result);
+  } catch (const IoError& error) {
+    throw set.inPlace(error);
+  }
+}
+
+} // namespace
+
+std::vector<std::string> writeOutputs(const OptionValues& values, const ReconstructionResult& result) {
+  std::vector<std::string> notes;
+  const auto add = [&notes](const std::vector<std::string>& more) { notes.insert(notes.end(), more.begin(), more.end()); };
+  WritingSteps steps(values);
+  std::optional<FileSet> results;
+  if (values.has("results"))
+    steps.run(false, [&] {
+      results.emplace(values.text("results"), resultsSet());
+      add(writeStaged(*results, values, result));
+    });
+  if (values.has("output"))
+    steps.run(true, [&] { add(writeSurface(values, result)); });
+  if (values.has("report"))
+    steps.run(true, [&] { writeText(values.text("report"), toJson(result.report)); });
+  if (results)
+    steps.run(true, [&] { results->commit(); });
   return notes;
 }
 

@@ -4,11 +4,9 @@
 
 namespace graben {
 
-/// Refuses what cannot be written before the work starts: an unknown extension, a folder that is not there.
-void checkOutputs(const OptionValues& values);
-
-/// Writes what --output, --report and --results ask for.
+/// Writes what --output, --report and --results ask for, each whole or not at all.
 /// \return sentences for the user: what a format could not hold, why pictures are missing
+/// \throw WriteError that says what of it was written and what stands as it was
 std::vector<std::string> writeOutputs(const OptionValues& values, const ReconstructionResult& result);
 
 } // namespace graben

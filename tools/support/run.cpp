@@ -1,14 +1,32 @@
 #include "support/run.h"
 
+#include "support/interruption.h"
+
+#include "graben/core/errors.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <iostream>
 #include <new>
 
 namespace graben {
 namespace {
 
+/// Without line ends and control characters, and not longer than a screen.
+std::string oneLine(std::string text) {
+  constexpr std::size_t kLongest = 1000;
+  if (text.size() > kLongest)
+    text = text.substr(0, kLongest / 2) + " ... " + text.substr(text.size() - kLongest / 2);
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f')
+      c = ' ';
+  return text;
+}
+
 int complain(const std::string& tool, const std::string& message, int code) {
   std::cout.flush();
-  std::cerr << tool << ": error: " << message << "\n";
+  std::cerr << tool << ": error: " << oneLine(message) << "\n";
   return code;
 }
 
@@ -17,26 +35,33 @@ int complain(const std::string& tool, const std::string& message, int code) {
 int runTool(const OptionParser& parser, int argc, const char* const* argv,
             const std::function<int(const OptionValues&)>& body) {
   try {
-    const OptionValues values =
-        parser.parse(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
-    if (values.has("help")) {
+    handleInterruptions(parser.tool());
+    const OptionValues values = parser.parse(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc));
+    int code = kGood;
+    if (values.has("help"))
       std::cout << parser.helpText();
-      return 0;
-    }
-    if (values.has("version")) {
+    else if (values.has("version"))
       std::cout << parser.versionText();
-      return 0;
-    }
-    return body(values);
+    else
+      code = body(values);
+    errno = 0;
+    std::cout.flush();
+    const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
+    if (failed && errno != EPIPE) // a reader that wants no more is not an error
+      throw WriteError("standard output", std::string("cannot be written: ") + std::strerror(errno != 0 ? errno : EIO));
+    return code;
   } catch (const UsageError& error) {
-    return complain(parser.tool(),
-                    std::string(error.what()) + " (see " + parser.tool() + " --help)", 2);
+    return complain(parser.tool(), std::string(error.what()) + " (see " + parser.tool() + " --help)", kWrongUse);
+  } catch (const WriteError& error) {
+    return complain(parser.tool(), error.what(), kCannotWrite);
+  } catch (const Error& error) {
+    return complain(parser.tool(), error.what(), kNotGood);
   } catch (const std::bad_alloc&) {
-    return complain(parser.tool(), "out of memory", 1);
+    return complain(parser.tool(), "out of memory; give it more, or less to do", kNotGood);
   } catch (const std::exception& error) {
-    return complain(parser.tool(), error.what(), 1);
+    return complain(parser.tool(), std::string("internal error, please report it: ") + error.what(), kInternal);
   } catch (...) {
-    return complain(parser.tool(), "unknown error", 1);
+    return complain(parser.tool(), "internal error, please report it", kInternal);
   }
 }
 

@@ -1,7 +1,7 @@
 #include "support/section_files.h"
 
 #include "graben/core/errors.h"
-#include "graben/io/atomic_file.h"
+#include "graben/core/atomic_file.h"
 #include "graben/io/table_writer.h"
 #include "graben/visualization/section_drawing.h"
 

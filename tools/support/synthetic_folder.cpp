@@ -1,8 +1,10 @@
 #include "support/synthetic_folder.h"
 
-#include "graben/core/errors.h"
+#include "support/file_arguments.h"
+
+#include "graben/core/atomic_file.h"
+#include "graben/core/file_set.h"
 #include "graben/core/threads.h"
-#include "graben/io/atomic_file.h"
 #include "graben/io/mesh_writer.h"
 #include "graben/io/pick_writer.h"
 
@@ -10,7 +12,6 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <regex>
 
 namespace graben {
 namespace {
@@ -50,48 +51,39 @@ void writeBinaryPicks(const std::string& path, const std::string& header,
   file.commit();
 }
 
+const FileSetNames& setNames() {
+  static const FileSetNames names{"graben_synthesize.manifest", "synthetic.json", "{\n  \"complete\": false\n}\n"};
+  return names;
+}
+
 class FolderWriter {
 public:
   FolderWriter(const SyntheticModel& model, const std::string& folder,
                const SyntheticFolderOptions& options)
       : model_(model)
       , o_(model.options())
-      , folder_(folder)
+      , set_(folder, setNames())
       , options_(options) {}
 
   SyntheticFolder write() {
-    prepareFolder();
-    writePicks();
-    writeFaults();
-    if (options_.truth)
-      writeTruth();
-    writeReadme();
-    writeJson();
+    try {
+      writePicks();
+      writeFaults();
+      if (options_.truth)
+        writeTruth();
+      writeReadme();
+      writeJson();
+    } catch (const IoError& error) {
+      throw set_.inPlace(error);
+    }
+    set_.commit();
     return {picks_, files_};
   }
 
 private:
   std::string add(const std::string& name) {
     files_.push_back(name);
-    return (folder_ / name).string();
-  }
-
-  void prepareFolder() const {
-    std::error_code error;
-    fs::create_directories(folder_, error);
-    if (error || !fs::is_directory(folder_))
-      throw IoError(folder_.string(), "cannot make this folder");
-    if (!fs::exists(folder_ / "synthetic.json"))
-      return;
-    const std::regex numbered(
-        R"((horizon\.(xyz|poi|pcd|ply))|(fault_\d+\.(ts|pol))|(truth_block_\d+\.ts)|)"
-        R"((truth\.ply)|(cutoff_fault_\d+_(footwall|hangingwall)\.pol))");
-    std::vector<fs::path> former;
-    for (const auto& entry : fs::directory_iterator(folder_))
-      if (std::regex_match(entry.path().filename().string(), numbered))
-        former.push_back(entry.path());
-    for (const fs::path& path : former)
-      fs::remove(path, error);
+    return (fs::path(set_.staging()) / name).string();
   }
 
   void writePicks() {
@@ -262,13 +254,21 @@ private:
 
   const SyntheticModel& model_;
   const SyntheticOptions& o_;
-  fs::path folder_;
+  FileSet set_;
   const SyntheticFolderOptions& options_;
   std::size_t picks_ = 0;
   std::vector<std::string> files_;
 };
 
 } // namespace
+
+void checkSyntheticFolder(const OptionValues& values, std::size_t faults) {
+  std::vector<std::string> names = {"horizon." + values.text("format"), "truth.ply", "README.txt", "synthetic.json", setNames().manifest};
+  for (std::size_t i = 1; i <= faults; ++i)
+    for (const char* extension : {".ts", ".pol"})
+      names.push_back("fault_" + std::to_string(i) + extension);
+  checkOutputFolder({"--output", values.text("output")}, setNames(), names, filesOf(values, {"config"}), {});
+}
 
 SyntheticFolder writeSyntheticFolder(const SyntheticModel& model, const std::string& folder, const SyntheticFolderOptions& options) {
   return FolderWriter(model, folder, options).write();

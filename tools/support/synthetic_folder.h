@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/synthetic/synthetic_model.h"
+#include "support/options.h"
 
 #include <string>
 #include <vector>
@@ -24,9 +25,13 @@ struct SyntheticFolder {
   std::vector<std::string> files; ///< without folder
 };
 
+/// Refuses, before anything is made, a folder that cannot be written to or that holds other files of these names.
+/// \throw UsageError, WriteError
+void checkSyntheticFolder(const OptionValues& values, std::size_t faults);
+
 /// Writes picks, faults, truth, a README.txt that says what is what with the command to reconstruct
-/// it, and synthetic.json with all options and files. The folder is made if it is not there;
-/// numbered files of a former run in it are removed. \throw InvalidInputError, IoError
+/// it, and synthetic.json with all options and files. The folder is made if it is not there; the
+/// files of a former run in it are replaced all at once. \throw InvalidInputError, WriteError
 SyntheticFolder writeSyntheticFolder(const SyntheticModel& model, const std::string& folder, const SyntheticFolderOptions& options);
 
 } // namespace graben

@@ -15,7 +15,7 @@ const char* Error::what() const noexcept {
 }
 
 IoError::IoError(const std::string& file, const std::string& message)
-  : Error(file, message), file_(file) {}
+  : Error(file, message), file_(file), reason_(message) {}
 
 ParseError::ParseError(const std::string& file, std::size_t line, const std::string& message)
   : Error(line == 0 ? file : file + ":" + std::to_string(line), message), file_(file), line_(line) {}

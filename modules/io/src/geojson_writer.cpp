@@ -2,7 +2,7 @@
 
 #include "numbers.h"
 
-#include "graben/io/atomic_file.h"
+#include "graben/core/atomic_file.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #include "numbers.h"
 
-#include "graben/io/atomic_file.h"
+#include "graben/core/atomic_file.h"
 #include "graben/io/sealed_writer.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "gocad_frame.h"
 #include "numbers.h"
 
-#include "graben/io/atomic_file.h"
+#include "graben/core/atomic_file.h"
 #include "graben/io/pick_writer.h"
 #include "graben/io/table_writer.h"
 

@@ -5,7 +5,7 @@
 #include "numbers.h"
 #include "row_writer.h"
 
-#include "graben/io/atomic_file.h"
+#include "graben/core/atomic_file.h"
 
 #include "graben/mesh/adjacency.h"
 #include "graben/mesh/components.h"

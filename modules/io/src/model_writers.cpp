@@ -1,7 +1,7 @@
 #include "numbers.h"
 
 #include "graben/core/errors.h"
-#include "graben/io/atomic_file.h"
+#include "graben/core/atomic_file.h"
 #include "graben/io/sealed_writer.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "graben/io/ply_cloud_writer.h"
 
+#include "graben/core/atomic_file.h"
 #include "graben/core/errors.h"
-#include "graben/io/atomic_file.h"
 
 #include <algorithm>
 #include <array>

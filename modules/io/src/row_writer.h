@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graben/io/atomic_file.h"
+#include "graben/core/atomic_file.h"
 
 #include <cstddef>
 #include <cstring>

@@ -3,7 +3,7 @@
 #include "numbers.h"
 
 #include "graben/core/errors.h"
-#include "graben/io/atomic_file.h"
+#include "graben/core/atomic_file.h"
 
 #include <algorithm>
 #include <cmath>

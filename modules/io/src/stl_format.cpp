@@ -4,8 +4,8 @@
 #include "numbers.h"
 #include "row_writer.h"
 
+#include "graben/core/atomic_file.h"
 #include "graben/core/errors.h"
-#include "graben/io/atomic_file.h"
 
 #include <Eigen/Geometry>
 

@@ -2,8 +2,8 @@
 #include "mesh_formats.h"
 #include "vtk_cells.h"
 
+#include "graben/core/atomic_file.h"
 #include "graben/core/errors.h"
-#include "graben/io/atomic_file.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
@@ -312,9 +312,9 @@ void runWriter(Writer& writer, const std::string& path, const TriangleMesh& mesh
   AtomicFile file(path);
   const CatchMessages messages;
   writer.SetInputData(data);
-  writer.SetFileName(file.temporaryPath().c_str());
+  writer.SetFileName(file.writingPath().c_str());
   if (writer.Write() == 0 || writer.GetErrorCode() != 0)
-    throw IoError(path, "cannot be written: " + messages->message());
+    throw WriteError(path, "cannot be written: the disk is full, or the device takes no data");
   file.commit();
 }
 

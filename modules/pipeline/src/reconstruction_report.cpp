@@ -110,6 +110,7 @@ Json reportTree(const ReconstructionReport& r, bool with_timings) {
   Json j;
   j["schema"] = "graben report";
   j["schema_version"] = kReportSchemaVersion;
+  j["complete"] = true;
   j["figures"] = figures(r);
   j["picks"] = {{"count", r.picks}, {"not_finite", r.picks_not_finite}, {"wrong_side", r.wrong_side_picks},
                 {"smeared", r.smeared_picks}, {"at_faults", r.picks_at_faults}, {"strays", r.stray_picks}};

@@ -1,5 +1,6 @@
 #include "picture_file.h"
 
+#include "graben/core/atomic_file.h"
 #include "graben/core/errors.h"
 
 #include <vtkNew.h>
@@ -7,12 +8,6 @@
 #include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
-
-#include <filesystem>
-#include <fstream>
-#include <system_error>
-
-#include <unistd.h>
 
 namespace graben {
 
@@ -40,18 +35,9 @@ void writePicture(vtkRenderWindow* window, const std::string& png) {
 }
 
 void writePictureBytes(const std::string& bytes, const std::string& path) {
-  const std::string beside = path + "." + std::to_string(getpid()) + ".part";
-  std::ofstream file(beside, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  std::error_code failure;
-  if (file)
-    std::filesystem::rename(beside, path, failure);
-  if (!file || failure) {
-    std::error_code ignored;
-    std::filesystem::remove(beside, ignored);
-    throw IoError(path, "the picture could not be written; check that the folder exists and has room");
-  }
+  AtomicFile file(path);
+  file.write(bytes);
+  file.commit();
 }
 
 } // namespace graben

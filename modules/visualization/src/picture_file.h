@@ -7,7 +7,7 @@ class vtkRenderWindow;
 namespace graben {
 
 /// Renders the window and writes what it shows as PNG, beside its place first, then renamed.
-/// \throw IoError if the file cannot be written
+/// \throw WriteError if the file cannot be written
 void writePicture(vtkRenderWindow* window, const std::string& png);
 
 /// The same for bytes at hand.

@@ -35,6 +35,9 @@ std::string findProgram(const std::string& name) {
 /// In the child: only calls that are safe after fork in a program with threads.
 [[noreturn]] void becomeServer(const char* program, const char* display_fd, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr); // the program may wait for signals in a thread of its own
   if (getppid() != parent)
     _exit(1);
   const int null = open("/dev/null", O_RDWR);

@@ -131,8 +131,8 @@ TEST_F(Evaluate, WrongUseNamesTheFileAndWritesNothing) {
       {"s/truth.ply --fault prose.ply", 1, "prose.ply"},
       {"s/truth.ply --truth empty.ply", 1, "empty.ply"},
       {"s/truth.ply --cutoffs s/fault_1.ts", 1, "s/fault_1.ts"},
-      {"s/truth.ply --report no/r.json", 1, "no/r.json"},
-      {"s/truth.ply --report s", 1, "s: "},
+      {"s/truth.ply --report no/r.json", 4, "no/r.json"},
+      {"s/truth.ply --report s", 4, "s: "},
   };
   for (const auto& [arguments, code, words] : cases) {
     const test::Outcome outcome = run("evaluate", arguments);

@@ -145,7 +145,10 @@ TEST(RunTool, ExitCodesAndMessages) {
                   throw InvalidInputError("reading", "all points are NaN");
                 }),
             1);
-  EXPECT_EQ(run({}, [](const OptionValues&) -> int { throw 5; }), 1);
+  EXPECT_EQ(run({}, [](const OptionValues&) -> int { throw WriteError("out.ply", "cannot be written: no room"); }), 4);
+  EXPECT_EQ(run({}, [](const OptionValues&) -> int { throw std::bad_alloc(); }), 1);
+  EXPECT_EQ(run({}, [](const OptionValues&) -> int { throw std::out_of_range("mistake"); }), 5);
+  EXPECT_EQ(run({}, [](const OptionValues&) -> int { throw 5; }), 5);
   EXPECT_EQ(run({"--fault", "x", "--help", "--nonsense"}, [](const OptionValues&) { return 7; }),
             0);
   EXPECT_EQ(run({"--version"}, [](const OptionValues&) { return 7; }), 0);

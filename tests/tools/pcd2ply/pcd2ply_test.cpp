@@ -98,12 +98,12 @@ TEST_F(Pcd2Ply, AddsTheOriginInDouble) {
 }
 
 TEST_F(Pcd2Ply, SaysWhenTheWriteFailed) {
-  EXPECT_EQ(run("in.pcd absent/out.ply"), 1);
+  EXPECT_EQ(run("in.pcd absent/out.ply"), 4);
   EXPECT_THAT(content("said"), HasSubstr("absent/out.ply"));
   fs::create_directory(path("taken.ply"));
-  EXPECT_EQ(run("in.pcd taken.ply"), 1);
+  EXPECT_EQ(run("in.pcd taken.ply"), 4);
   if (fs::exists("/dev/full")) {
-    EXPECT_EQ(run("in.pcd /dev/full"), 1);
+    EXPECT_EQ(run("in.pcd /dev/full"), 4);
   }
 }
 
@@ -154,6 +154,16 @@ TEST_F(Pcd2Ply, MeshAddsFacesAndKeepsFields) {
       EXPECT_EQ(label[i], x < 14.5 ? 3.0F : 8.0F);
     }
   }
+}
+
+TEST_F(Pcd2Ply, NeverWritesOverItsInput) {
+  fs::create_symlink("in.pcd", path("link.ply"));
+  fs::create_hard_link(path("in.pcd"), path("hard.ply"));
+  for (const char* output : {"in.pcd", "./in.pcd", "link.ply", "hard.ply"}) {
+    EXPECT_EQ(run(std::string("in.pcd ") + output), 2) << output;
+    EXPECT_THAT(content("said"), HasSubstr("is the same file as INPUT.pcd in.pcd"));
+  }
+  EXPECT_EQ(content("in.pcd"), kCloud);
 }
 
 } // namespace

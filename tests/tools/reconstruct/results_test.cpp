@@ -78,8 +78,8 @@ TEST_F(ReconstructResults, PicturesAreThoseAskedForAndNeedNoDisplay) {
   ASSERT_EQ(run("reconstruct", job + "r --pictures none").code, 0);
   EXPECT_EQ(names("r"),
             (std::set<std::string>{"cutoffs_1_fault_1.pol", "fault_1_fault_1.ts", "fault_polygons.csv", "fault_polygons.dbf", "fault_polygons.geojson",
-                                   "fault_polygons.shp", "fault_polygons.shx", "gap_1_fault_1.pol", "picks.pcd", "piece_1.ts", "piece_2.ts",
-                                   "profile_1_fault_1.csv", "report.json", "surface.ply", "surface.vtk", "throw_1_fault_1.csv"}));
+                                   "fault_polygons.shp", "fault_polygons.shx", "gap_1_fault_1.pol", "graben_reconstruct.manifest", "picks.pcd", "piece_1.ts",
+                                   "piece_2.ts", "profile_1_fault_1.csv", "report.json", "surface.ply", "surface.vtk", "throw_1_fault_1.csv"}));
 }
 
 TEST_F(ReconstructResults, ThrowProfilesHaveUnitsAndARowEverySoOften) {

@@ -75,13 +75,13 @@ TEST_F(ReconstructWrongUse, OfInputFilesNamesTheFile) {
 TEST_F(ReconstructWrongUse, OfOutputsIsFoundBeforeAnythingIsWritten) {
   std::filesystem::create_directory(path("taken.ply"));
   write("file", "mine");
-  expectError("--horizon picks.xyz --output no/top.ply", 1, {"no/top.ply", "does not exist"});
-  expectError("--horizon picks.xyz --output taken.ply", 1, {"taken.ply", "folder"});
-  expectError("--horizon picks.xyz --output top.ply --report no/r.json", 1, {"no/r.json"});
-  expectError("--horizon picks.xyz --output top.ply --report taken.ply", 1,
+  expectError("--horizon picks.xyz --output no/top.ply", 4, {"no/top.ply", "does not exist"});
+  expectError("--horizon picks.xyz --output taken.ply", 4, {"taken.ply", "folder"});
+  expectError("--horizon picks.xyz --output top.ply --report no/r.json", 4, {"no/r.json"});
+  expectError("--horizon picks.xyz --output top.ply --report taken.ply", 4,
               {"taken.ply", "folder"});
-  expectError("--horizon picks.xyz --output top.ply --results file", 1, {"file", "folder"});
-  expectError("--horizon picks.xyz --output top.ply --results file/below", 1, {"file"});
+  expectError("--horizon picks.xyz --output top.ply --results file", 4, {"file", "folder"});
+  expectError("--horizon picks.xyz --output top.ply --results file/below", 4, {"file"});
   EXPECT_THAT(names("taken.ply"), IsEmpty());
   EXPECT_EQ(content("file"), "mine");
 }
@@ -95,7 +95,7 @@ TEST_F(ReconstructWrongUse, OfAFullDiskLeavesTheFormerSurface) {
       "/graben_reconstruct' --horizon picks.xyz --output top.ply 2>/dev/null";
   const int status = std::system(("bash -c \"" + command + "\"").c_str());
   ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_EQ(WEXITSTATUS(status), 4);
   EXPECT_EQ(content("top.ply"), "former");
   EXPECT_EQ(names(), (std::set<std::string>{"far.pol", "picks.xyz", "top.ply"}));
 }

@@ -1,7 +1,7 @@
 #include "graben/io/dip_reader.h"
 
 #include "graben/core/errors.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

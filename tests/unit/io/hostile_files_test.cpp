@@ -7,7 +7,7 @@
 #include "graben/io/pick_reader.h"
 #include "graben/io/pick_writer.h"
 #include "sample_mesh.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

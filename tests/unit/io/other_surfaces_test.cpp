@@ -2,7 +2,7 @@
 #include "graben/core/errors.h"
 #include "graben/io/fault_reader.h"
 #include "graben/io/mesh_reader.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What graben writes, as PCL's own readers (those of pcl_viewer) see it.
 #include "graben/io/mesh_writer.h"
 #include "sample_mesh.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 #include <gtest/gtest.h>
 #include <pcl/PolygonMesh.h>

@@ -2,7 +2,7 @@
 
 #include "graben/core/errors.h"
 #include "graben/io/pick_reader.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "graben/core/errors.h"
 #include "graben/io/pick_reader.h"
 #include "graben/io/ply_cloud_writer.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

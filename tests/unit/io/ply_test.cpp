@@ -3,7 +3,7 @@
 #include "graben/io/mesh_writer.h"
 #include "graben/io/pick_reader.h"
 #include "sample_mesh.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "graben/io/polygon_writer.h"
 
 #include "graben/core/errors.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // Fault sticks as tables: which column tells what, several faults in a file, files cut mid-way.
 #include "graben/core/errors.h"
 #include "graben/io/fault_reader.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

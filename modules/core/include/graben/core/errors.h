@@ -29,14 +29,23 @@ public:
   using Error::Error;
 };
 
-/// A file cannot be opened, read, written or renamed.
+/// A file cannot be opened or read, or (WriteError) not be written.
 class IoError : public Error {
 public:
   IoError(const std::string& file, const std::string& message);
   const std::string& file() const { return file_; }
+  /// The message without the file.
+  const std::string& reason() const { return reason_; }
 
 private:
   std::string file_;
+  std::string reason_;
+};
+
+/// A file cannot be written: no such folder, no permission, a full disk.
+class WriteError : public IoError {
+public:
+  using IoError::IoError;
 };
 
 /// A file was read but its content is not what it should be; names the file and the line.

@@ -47,7 +47,7 @@ struct MeshWriteOptions {
 /// \returns sentences for the user on what the format could not hold; empty if nothing was lost
 /// \throw InvalidInputError if the extension is unknown (the message lists the formats) or the mesh
 ///   is not valid
-/// \throw IoError if the file cannot be written
+/// \throw WriteError if the file cannot be written
 std::vector<std::string> writeMesh(const std::string& path, const TriangleMesh& mesh,
                                    const MeshWriteOptions& options = {});
 

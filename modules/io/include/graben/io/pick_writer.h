@@ -46,12 +46,12 @@ struct PcdPoint {
 /// \param[in] point gives point i; called from several threads at once
 /// pcl_viewer draws float32 only, so points should be in the local frame: float32 steps are 0.5 at
 /// UTM northings. VIEWPOINT is the identity. The file appears only when it is complete.
-/// \throw IoError if the file cannot be written
+/// \throw WriteError if the file cannot be written
 void writePcd(const std::string& path, std::size_t count, const std::function<PcdPoint(std::size_t)>& point, const PcdOptions& options);
 
 /// The same from arrays; those that are there are written.
 /// \throw InvalidInputError if an array has a wrong length
-/// \throw IoError if the file cannot be written
+/// \throw WriteError if the file cannot be written
 void writePcd(const std::string& path, const LabelledPoints& cloud, unsigned threads = 0);
 
 /// Writes rows `x y z`, each number the shortest that reads back as the same double. Errors as

@@ -40,7 +40,7 @@ struct PlyCloudReport {
 /// when it is complete.
 /// \throw InvalidInputError if the cloud has no x, y or z, its size and fields contradict one
 ///   another, or a face names a point that does not exist
-/// \throw IoError if the file cannot be written
+/// \throw WriteError if the file cannot be written
 PlyCloudReport writePlyCloud(const std::string& path, const pcl::PCLPointCloud2& cloud,
                              const PlyCloudOptions& options = {});
 

@@ -25,7 +25,7 @@ struct TableWriteOptions {
 /// holds a blank or is empty; a number that is not finite is `nan`. readPicks finds x, y and z in both. A number is the shortest that
 /// reads back as the same double. The file appears under its name only when it is complete.
 /// \throw InvalidInputError if there is no column, the columns differ in length, a name is empty or occurs twice
-/// \throw IoError if the file cannot be written
+/// \throw WriteError if the file cannot be written
 void writeTable(const std::string& path, const std::vector<TableColumn>& columns, const TableWriteOptions& options = {});
 
 } // namespace graben

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "graben/core/unfinished_files.h"
+
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,17 +13,17 @@ namespace graben {
 ///
 /// Without commit() the destructor removes what was written and a former file of that name stays as
 /// it was. Where the name is not a regular file (/dev/stdout, a pipe) it is written directly.
-/// Symbolic links are followed. One thread at a time.
+/// Symbolic links are followed, also to files that are not there yet. One thread at a time.
 class AtomicFile {
 public:
-  /// \throw IoError if no file can be made in the folder of \a path
+  /// \throw WriteError if the file is write-protected or none can be made in the folder of \a path
   explicit AtomicFile(std::string path);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
   /// Appends to the file; gathers small pieces before they go to the system.
-  /// \throw IoError if the disk is full or the file was closed
+  /// \throw WriteError if the disk is full or the file was closed
   void write(std::string_view bytes);
 
   /// Appends the object representation of a number (little endian on the machines PCL runs on).
@@ -31,10 +34,10 @@ public:
 
   /// The name the file has until commit(), for libraries that write by name; do not mix with
   /// write().
-  const std::string& temporaryPath() const { return temporary_; }
+  const std::string& writingPath() const { return temporary_ ? temporary_->path() : path_; }
 
   /// Makes the file appear under its name.
-  /// \throw IoError if the rest cannot be written, the file cannot be closed or renamed
+  /// \throw WriteError if the rest cannot be written, the file cannot be closed or renamed
   void commit();
 
 private:
@@ -44,11 +47,17 @@ private:
 
   std::string path_;
   std::string target_;
-  std::string temporary_;
+  std::optional<UnfinishedFile> temporary_; ///< absent where the file is written directly
   std::string buffer_;
   int descriptor_ = -1;
-  bool direct_ = false;
   bool committed_ = false;
 };
+
+/// The place that \a path names after all symbolic links and dots, also where no file is there yet.
+std::string resolvedPath(const std::string& path);
+
+/// Finds out whether \a path could be written as an AtomicFile, without touching what is there: its folder, permissions, a little room.
+/// \throw WriteError if not
+void checkWritable(const std::string& path);
 
 } // namespace graben

@@ -12,7 +12,7 @@ namespace graben::test {
 class TempFolder {
 public:
   TempFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "graben-io-XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "graben-test-XXXXXX").string();
     folder_ = ::mkdtemp(name.data());
   }
   ~TempFolder() { std::filesystem::remove_all(folder_); }
