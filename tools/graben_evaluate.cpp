@@ -27,6 +27,7 @@ OptionParser parser() {
              "noise of the picks; distances to the truth are then told, and limited, in sigma")
       .value("pick-reach", "R",
              "the truth counts as missing only within this distance of a pick, not in holes of the data (default: six mean distances)", "0")
+      .value("margin", "M", "nor where it is this near to the end of the area, away from faults", "0")
       .value("samples", "N", "sample points on each surface and over the cutoff lines", "100000")
       .value("threads", "N", "0: one per processor; the figures are the same for every number",
              "0");
@@ -47,6 +48,7 @@ EvaluationOptions evaluationOptions(const OptionValues& values) {
   EvaluationOptions o;
   o.zone_width = values.number("zone-width", 1e-12, kHuge);
   o.pick_reach = values.number("pick-reach", 0.0, kHuge);
+  o.margin = values.number("margin", 0.0, kHuge);
   o.voxel_size = values.number("voxel-size", 0.0, kHuge);
   o.samples = static_cast<std::size_t>(values.integer("samples", 1, 100000000));
   o.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));

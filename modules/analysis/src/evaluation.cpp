@@ -1,5 +1,7 @@
 #include "graben/analysis/evaluation.h"
 
+#include "outer_edge.h"
+
 #include "graben/analysis/approximation_error.h"
 #include "graben/analysis/bridges.h"
 #include "graben/analysis/flipped_triangles.h"
@@ -24,6 +26,7 @@ void checkOptions(const EvaluationOptions& o) {
         "the width of the zone must be positive");
   check(o.voxel_size >= 0.0 && std::isfinite(o.voxel_size), "the voxel size must not be negative");
   check(o.pick_reach >= 0.0, "the reach of the picks must not be negative");
+  check(o.margin >= 0.0 && std::isfinite(o.margin), "the margin must not be negative");
   check(o.on_fault >= 0.0, "the tolerance at the faults must not be negative");
   check(o.samples > 0, "the number of samples must be 1 or more");
 }
@@ -81,6 +84,20 @@ void measureAtFaults(const EvaluationInput& input, const EvaluationOptions& o,
   result.seal_by_truth = checkSeal(input.mesh, input.faults, seal);
 }
 
+/// The cutoff lines without those ends of them that lie in the margin.
+std::vector<Points> countedCutoffs(const EvaluationInput& input, const EvaluationOptions& options, double voxel_size) {
+  std::vector<Points> lines = input.cutoffs;
+  if (!(options.margin > 0.0) || input.truth.empty())
+    return lines;
+  const OuterEdge edge(input.truth, input.faults, kTruthOnFault * voxel_size, options.threads);
+  const auto counts = [&](const Vector3& p) { return !edge.isNear(p, options.margin); };
+  for (Points& line : lines) {
+    line.erase(std::find_if(line.rbegin(), line.rend(), counts).base(), line.end());
+    line.erase(line.begin(), std::find_if(line.begin(), line.end(), counts));
+  }
+  return lines;
+}
+
 } // namespace
 
 SurfaceEvaluation evaluateSurface(const EvaluationInput& input, const EvaluationOptions& options) {
@@ -104,6 +121,7 @@ SurfaceEvaluation evaluateSurface(const EvaluationInput& input, const Evaluation
     distance.zone_width = options.zone_width;
     distance.threads = options.threads;
     distance.truth_tolerance = kTruthOnFault * result.voxel_size;
+    distance.margin = options.margin;
     if (!input.picks.empty())
       result.pick_reach = distance.pick_reach = reachOfPicks(input.picks, options);
     distance.picks = distance.pick_reach > 0.0 ? &input.picks : nullptr;
@@ -111,7 +129,7 @@ SurfaceEvaluation evaluateSurface(const EvaluationInput& input, const Evaluation
     result.truth_components = checkTopology(input.truth, options.threads).components;
   }
   if (!input.cutoffs.empty())
-    result.cutoffs = cutoffDistances(input.mesh, input.cutoffs, {options.samples, options.threads});
+    result.cutoffs = cutoffDistances(input.mesh, countedCutoffs(input, options, result.voxel_size), {options.samples, options.threads});
   return result;
 }
 

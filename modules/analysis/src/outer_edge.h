@@ -13,19 +13,25 @@ public:
   /// \param[in] tolerance border edges whose middle is up to this far from a fault are the fault's
   OuterEdge(const TriangleMesh& truth, const FaultNetwork& network, double tolerance, unsigned threads);
 
-  /// True if a point lies beyond the edge, beside the truth rather than over it. \param[in] nearest the point of the truth nearest to it
+  /// True if a point lies beyond the edge, beside the truth rather than over it, or beside a fault's border no farther from where the edge begins than
+  /// from this border. \param[in] nearest the point of the truth nearest to it
   bool isBeyond(const Vector3& p, const MeshPoint& nearest) const;
 
+  /// True within \a distance of the edge.
+  bool isNear(const Vector3& p, double distance) const { return !edge_.empty() && edge_.nearest(p, distance).triangle >= 0; }
+
   /// Where the edge meets a fault.
-  Points ends() const;
+  const Points& ends() const { return ends_; }
 
 private:
-  bool isOnEdge(const MeshPoint& nearest) const;
+  enum class Border : char { No, Outer, Fault };
+  Border borderAt(const MeshPoint& nearest) const;
 
   const TriangleMesh& truth_;
-  std::vector<char> half_edge_; ///< by 3 * triangle + number of the edge in it
-  std::vector<char> vertex_;
-  std::vector<char> at_fault_; ///< vertices of border edges at a fault
+  std::vector<Border> half_edge_; ///< by 3 * triangle + number of the edge in it
+  std::vector<Border> vertex_;    ///< Outer where both meet
+  Points ends_;
+  TriangleBvh edge_; ///< triangles without width
 };
 
 } // namespace graben

@@ -42,7 +42,8 @@ constexpr char kBeyond = 3;
 /// What one way of measuring is done with; null where there is none.
 struct Limits {
   const NeighborGrid* picks = nullptr;
-  const OuterEdge* edge = nullptr; ///< of the target
+  const OuterEdge* edge = nullptr;   ///< of the target
+  const OuterEdge* margin = nullptr; ///< edge of what is measured
 };
 
 Measured measure(const Points& points, const TriangleBvh& target, const FaultNetwork& network, const Limits& limits,
@@ -56,7 +57,10 @@ Measured measure(const Points& points, const TriangleBvh& target, const FaultNet
     if (limits.edge != nullptr && limits.edge->isBeyond(points[i], nearest))
       result.near[i] = kBeyond;
     if (limits.picks != nullptr)
-      result.at_picks[i] = limits.picks->nearestOne(points[i], options.pick_reach).index >= 0 ? 1 : 0;
+      result.at_picks[i] = limits.picks->nearestOne(points[i], options.pick_reach).index >= 0 &&
+                                   !(limits.margin != nullptr && limits.margin->isNear(points[i], options.margin))
+                               ? 1
+                               : 0;
   });
   return result;
 }
@@ -139,11 +143,12 @@ SurfaceDistances surfaceDistances(const TriangleMesh& mesh, const TriangleMesh& 
   const TriangleBvh mesh_bvh(mesh, options.threads);
   const TriangleBvh truth_bvh(truth, options.threads);
   std::optional<OuterEdge> edge;
-  if (options.truth_tolerance > 0.0)
+  if (options.truth_tolerance > 0.0 || options.margin > 0.0)
     edge.emplace(truth, network, options.truth_tolerance, options.threads);
-  const OneWay to_truth = oneWay(mesh, truth_bvh, network, {nullptr, edge ? &*edge : nullptr}, options);
+  const OneWay to_truth = oneWay(mesh, truth_bvh, network, {nullptr, options.truth_tolerance > 0.0 ? &*edge : nullptr, nullptr}, options);
   const NeighborGrid picks = options.picks != nullptr ? NeighborGrid(*options.picks, 0.0, options.threads) : NeighborGrid();
-  const OneWay from_truth = oneWay(truth, mesh_bvh, network, {options.picks != nullptr ? &picks : nullptr, nullptr}, options);
+  const Limits at_picks{options.picks != nullptr ? &picks : nullptr, nullptr, options.margin > 0.0 ? &*edge : nullptr};
+  const OneWay from_truth = oneWay(truth, mesh_bvh, network, at_picks, options);
   SurfaceDistances result;
   result.to_truth = to_truth.all;
   result.beyond = to_truth.beyond;

@@ -73,9 +73,28 @@ TEST(SurfaceDistance, WhatLiesBeyondTheTruthsOuterEdgeIsNotCountedIfAskedTo) {
   options.truth_tolerance = 0.1;
   const SurfaceDistances d = surfaceDistances(mesh, truth, network, options);
   EXPECT_NEAR(d.to_truth.all.max, std::hypot(2.0, 0.5), 1e-9);
-  EXPECT_NEAR(d.beyond, 3.0 / 15.0, 1e-3);
-  EXPECT_NEAR(static_cast<double>(d.to_truth.all.count), 20000.0 * 12.0 / 15.0, 20.0);
+  // The strip beyond the edge, and of the curtain what is as near to an end of the fault as to the fault.
+  EXPECT_NEAR(d.beyond, (30.0 + 4.5) / 150.0, 0.005);
+  EXPECT_NEAR(static_cast<double>(d.to_truth.all.count), 20000.0 * (1.0 - d.beyond), 1.0);
   EXPECT_EQ(d.from_truth.all.count, 20000U);
+}
+
+TEST(SurfaceDistance, TheTruthNeedNotBeThereInTheMarginOfItsOuterEdge) {
+  const TriangleMesh truth = test::gridMesh(10); // 0 to 10, the fault at x = 0
+  TriangleMesh mesh = test::gridMesh(10);
+  for (Vector3& v : mesh.vertices)
+    v = Vector3(0.5 + 0.8 * v.x(), 1.0 + 0.8 * v.y(), 0.0); // ends 0.5 before the fault, 1 to 1.5 before the other edges
+  Points picks = truth.vertices;
+  SurfaceDistanceOptions options = samples(20000, 0.01);
+  options.picks = &picks;
+  options.pick_reach = 2.0;
+  const FaultNetwork network = test::network(test::wall(0, 0, 10));
+  EXPECT_GT(surfaceDistances(mesh, truth, network, options).from_truth_at_picks->all.max, 1.4);
+  options.truth_tolerance = 0.1;
+  options.margin = 1.6;
+  const OneWayDistances d = *surfaceDistances(mesh, truth, network, options).from_truth_at_picks;
+  EXPECT_NEAR(d.all.max, 0.5, 1e-9); // at the fault it still counts
+  EXPECT_NEAR(static_cast<double>(d.all.count), 20000.0 * (10.0 - 3.2) * (10.0 - 1.6) / 100.0, 100.0);
 }
 
 TEST(SurfaceDistance, ASpikeIsInTheMaximumHoweverFewTheSamples) {

@@ -123,7 +123,8 @@ CONTOURS = _limits(1.5, 2.5, 2.5, 3.0)
 
 
 def _reach(distance):
-    return ("--pick-reach", f"{distance:g}")
+    """How far from picks the truth has to be there; not in half as wide a margin at the edge of the area, where lines end."""
+    return ("--pick-reach", f"{distance:g}", "--margin", f"{0.5 * distance:g}")
 
 
 def _along(distance, azimuth=0, along=12.5):

@@ -28,6 +28,8 @@ struct EvaluationOptions {
   /// The truth counts as missing only within this distance of a pick, x, y units; 0: six mean distances from pick to pick, as far as a
   /// reconstruction carries a surface on by default. Without picks all counts.
   double pick_reach = 0.0;
+  /// What lies this near to the part of the truth's border that is at no fault, cutoff lines too, does not count as missing either, x, y units.
+  double margin = 0.0;
   std::size_t samples = 100000; ///< sample points on each surface, and over all cutoff lines
   unsigned threads = 0;         ///< 0: one per processor
 };

@@ -18,6 +18,7 @@ struct SurfaceDistanceOptions {
   /// The truth's border lies at a fault up to this far from it. Where it does not, the truth is not known beyond it, and parts of the mesh there are
   /// not counted; 0: all parts are.
   double truth_tolerance = 0.0;
+  double margin = 0.0; ///< parts of the truth this near to the part of its border that lies at no fault do not count as missing at the picks
 };
 
 /// Distances from one surface to another. The samples are spread evenly over the area, so means and
