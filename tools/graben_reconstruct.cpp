@@ -74,6 +74,7 @@ void say(const ReconstructionResult& result) {
 ReconstructionResult reconstruct(const OptionValues& values, HorizonInput input, const ProgressCallback& progress) {
   ReconstructionOptions options = reconstructionOptions(values, input.picks.z_positive);
   options.keep_picks = values.has("results");
+  options.deviation = values.has("results") || values.has("report") || values.has("require");
   options.progress = progress;
   try {
     return HorizonReconstruction(options).reconstruct(std::move(input.picks.points), input.faults, input.dips);

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kPictures = {"map", "pieces", "oblique", "residuals", "sections", "throws", "allan"};
+const std::vector<std::string> kPictures = {"map", "pieces", "oblique", "residuals", "deviation", "sections", "throws", "allan"};
 const std::vector<std::string> kFormats = {"png", "svg", "pdf"};
 constexpr std::size_t kMostFaults = 30; // whose diagrams are drawn: those of greatest throw
 constexpr double kSectionThrows = 8.0;  // half length of a section in dip slips of its fault
@@ -100,6 +100,12 @@ private:
       drawMap(stem("map"), scene_, mapOptions(MapColors::Height, "Horizon"));
     if (choice_.has("pieces"))
       drawMap(stem("pieces"), scene_, mapOptions(MapColors::Piece, "Pieces"));
+    if (choice_.has("deviation") && result_.mesh.scalars.count("height_sd") > 0) {
+      MapOptions o = mapOptions(MapColors::Scalar, "Standard deviation of the height");
+      o.scalar = "height_sd";
+      o.values_title = "std. dev. [" + units_.z + "]";
+      drawMap(stem("deviation"), scene_, o);
+    }
     if (!choice_.has("residuals") || result_.picks.empty())
       return;
     MapScene scene = scene_;
@@ -141,9 +147,13 @@ private:
     for (const ProfileRow& row : profile.rows) {
       curve.along.push_back(row.along);
       curve.throw_.push_back(row.throw_);
+      curve.throw_low.push_back(row.throwAt(-kP90));
+      curve.throw_high.push_back(row.throwAt(kP90));
       curve.footwall.push_back(row.footwall.z());
       curve.hanging_wall.push_back(row.hanging_wall.z());
     }
+    if (!result_.report.throw_deviation)
+      curve.throw_low = curve.throw_high = {};
     return curve;
   }
 

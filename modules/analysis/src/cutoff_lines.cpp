@@ -63,11 +63,13 @@ CutoffLine follow(const TriangleMesh& mesh, FaultSide where, BorderEdges& edges,
   line.fault = where.first;
   line.side = where.second;
   line.piece = mesh.piece.empty() ? -1 : mesh.piece[static_cast<std::size_t>(start)];
-  line.points.push_back(mesh.vertices[static_cast<std::size_t>(start)]);
+  line.vertices.push_back(start);
   for (auto edge = edges.find(start); edge != edges.end() && !edge->second.second; edge = edges.find(edge->second.first)) {
     edge->second.second = true;
-    line.points.push_back(mesh.vertices[static_cast<std::size_t>(edge->second.first)]);
+    line.vertices.push_back(edge->second.first);
   }
+  for (const Index v : line.vertices)
+    line.points.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
   return line;
 }
 

@@ -26,6 +26,7 @@ ProfileRow between(const ThrowSample& a, const ThrowSample& b, double along) {
   row.throw_ = mean(a.throw_, b.throw_);
   row.heave = mean(a.heave, b.heave);
   row.dip_slip = mean(a.dip_slip, b.dip_slip);
+  row.deviation = mean(a.deviation, b.deviation);
   return row;
 }
 

@@ -44,7 +44,6 @@ constexpr std::size_t kNeighborsOfLines = 30; // reach the next lines: those of 
 constexpr double kVoxelOfLines = 0.25; // line distances
 constexpr double kRhoOfLines = 0.75;   // line distances
 
-constexpr double kLeastPolygon = 0.25; // voxels squared: what is smaller is noise of a steep fault
 
 // Measured with a million picks, and with a million vertices on a tenth of them.
 constexpr std::size_t kBytesPerPick = 150; // until the normals are known: point, order, neighbours, plane
@@ -184,43 +183,6 @@ void ReconstructionJob::orient() {
   orientNormals(grid_, faultsUnless(options_.skip.neighbors), o, planes_.normals);
 }
 
-/// A round number of about four voxels, unless asked for.
-double ReconstructionJob::throwInterval() const {
-  return options_.throw_interval > 0.0 ? options_.throw_interval : roundDown125(4.0 * result_.report.used.voxel_size);
-}
-
-void ReconstructionJob::readThrowsOff(const EdgeAdjacency& adjacency) {
-  const LocalFrame& frame = result_.frame;
-  result_.cutoffs = cutoffLines(cut_.mesh, cut_.vertex_faults, adjacency, &faults_, options_.threads);
-  result_.throws = readThrows(result_.cutoffs, faults_);
-  FaultPolygonOptions polygons;
-  polygons.least_area = kLeastPolygon * std::pow(result_.report.used.voxel_size, 2);
-  result_.polygons = faultPolygons(result_.throws, polygons);
-  for (FaultPolygon& polygon : result_.polygons) {
-    FaultReport& fault = result_.report.faults[static_cast<std::size_t>(polygon.fault)];
-    (polygon.overlap ? fault.overlap_area : fault.gap_area) += polygon.area;
-    for (Vector3& p : polygon.ring)
-      p = frame.toUser(p);
-  }
-  for (CutoffLine& line : result_.cutoffs)
-    for (Vector3& p : line.points)
-      p = frame.toUser(p);
-  const auto toUser = [&frame](auto& row) {
-    row.footwall = frame.toUser(row.footwall);
-    row.hanging_wall = frame.toUser(row.hanging_wall);
-    row.throw_ /= frame.z_scale;
-  };
-  for (std::size_t f = 0; f < faults_.size(); ++f) {
-    FaultProfile profile = faultProfile(result_.throws[f], f, faults_, throwInterval());
-    std::for_each(result_.throws[f].begin(), result_.throws[f].end(), toUser);
-    std::for_each(profile.rows.begin(), profile.rows.end(), toUser);
-    result_.report.faults[f].throw_length_ratio = profile.ratio;
-    result_.report.faults[f].tips = (profile.tip_at_start ? 1 : 0) + (profile.tip_at_end ? 1 : 0);
-    result_.profiles.push_back(std::move(profile));
-    result_.report.faults[f].throw_ = summarize(result_.throws[f]);
-  }
-}
-
 void ReconstructionJob::handOutPicks(PicksOnSurface on_surface) {
   parallelFor(picks_.points.size(), 1 << 14, options_.threads, [&](std::size_t i) {
     picks_.points[i] = result_.frame.toUser(picks_.points[i]);
@@ -238,6 +200,7 @@ void ReconstructionJob::finish() {
     computeVertexNormals(cut_.mesh, *corners_, options_.threads);
   else
     tidy();
+  estimateDeviation();
   if (options_.keep_picks)
     normals_ = std::move(planes_.normals);
   planes_ = TangentPlanes();

@@ -13,6 +13,7 @@
 #include "graben/mesh/connections.h"
 #include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
+#include "graben/surface/local_fit.h"
 #include "graben/surface/sheet_extraction.h"
 #include "graben/surface/signed_distance.h"
 
@@ -43,8 +44,6 @@ private:
   void orient();
   void finish();
   void measureSurface();
-  double throwInterval() const;
-  void readThrowsOff(const EdgeAdjacency& adjacency);
   void handOutPicks(PicksOnSurface on_surface);
 
   // Which picks take part, and what stands in for them (pick_stages.cpp)
@@ -61,6 +60,13 @@ private:
   void keepGiven();
   void takeCarriedPlacesOut();
   void bringBackGivenPicks();
+
+  // What is read off the surface (takeaways.cpp)
+  void estimateDeviation();
+  void estimateThrowDeviation();
+  void readThrowsOff(const EdgeAdjacency& adjacency);
+  void readPolygons();
+  double throwInterval() const;
 
   // From planes to the surface (surface_stages.cpp)
   SheetMesh extract();
@@ -96,6 +102,7 @@ private:
   std::vector<Index> zone_; ///< the paper's X_S, picks set aside included
   CutMesh cut_;
   std::optional<VertexCorners> corners_; ///< of its mesh, after the cut
+  std::optional<ModelChoice> models_;    ///< of the local fit
   std::optional<std::size_t> bridges_;   ///< in it, where known
 };
 

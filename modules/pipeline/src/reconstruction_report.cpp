@@ -96,6 +96,7 @@ Json figures(const ReconstructionReport& r) {
           {"set_aside", r.picks > 0 ? static_cast<double>(aside) / static_cast<double>(r.picks) : 0.0},
           {"seal", r.seal.all.vertices > 0 ? 1.0 - r.seal.all.share : 0.0},
           {"bridges", r.bridging_triangles},
+          {"throw_sd", r.throw_deviation ? Json(*r.throw_deviation) : r.faults.empty() ? Json(0.0) : Json()},
           {"pieces", t.components},
           {"topology_errors", t.errors()},
           {"thin_triangles", r.quality.share_below_10_degrees},

@@ -132,6 +132,7 @@ void ReconstructionJob::refineLocally() {
   const LocalFit local(grid_, planes_, faults_, used.fault_reach + 4.0 * rhoPlusDelta(), mean_distance_);
   RefineOptions refinement;
   refinement.models = chooseModels(local, used.zone_width, options_.threads);
+  models_ = refinement.models;
   refinement.zone_width = used.zone_width;
   refinement.max_step = used.voxel_size;
   refinement.threads = options_.threads;

@@ -85,6 +85,7 @@ void fillBetween(Canvas& canvas, const Plot& plot, const FaultCurve& curve, cons
     std::vector<Place> ring = placesOf(plot, curve, low, stretch);
     const std::vector<Place> back = placesOf(plot, curve, high, stretch);
     ring.insert(ring.end(), back.rbegin(), back.rend());
+    ring.erase(std::remove_if(ring.begin(), ring.end(), [](const Place& p) { return !p.allFinite(); }), ring.end());
     canvas.area(ring, color, 0.6);
   }
 }

@@ -88,7 +88,7 @@ TEST_F(ReconstructResults, ThrowProfilesHaveUnitsAndARowEverySoOften) {
   std::istringstream profile(content("r/profile_1_fault_1.csv"));
   std::string line;
   std::getline(profile, line);
-  EXPECT_EQ(line, "along [ft],x [ft],y [ft],footwall_z [ms],hanging_wall_z [ms],throw [ms],heave [ft],dip_slip [ft],fault_dip [deg],fault_dip_azimuth [deg]");
+  EXPECT_EQ(line, "along [ft],x [ft],y [ft],footwall_z [ms],hanging_wall_z [ms],throw [ms],throw_p10 [ms],throw_p90 [ms],throw_sd [ms],heave [ft],dip_slip [ft],fault_dip [deg],fault_dip_azimuth [deg]");
   double along = 0.0;
   for (; std::getline(profile, line); along += 500.0)
     EXPECT_EQ(std::stod(line), along);

@@ -35,13 +35,6 @@ Vector3 stepOnFaults(const FaultNetwork& faults, const std::array<Index, 2>& on,
   return offset / std::max(way.dot(normal), 0.2) * way;
 }
 
-/// The model for places between the picks and a fault: carrying on asks for more picks and a lower degree than lying among them.
-LocalModel beyond(LocalModel model) {
-  model.degree = std::min(model.degree, 2);
-  model.neighbors *= 2;
-  return model;
-}
-
 /// Gives every vertex the way to move along: for that, means by the triangles' areas do.
 void setDirections(TriangleMesh& mesh, const VertexCorners& corners, unsigned threads) {
   mesh.normals.resize(mesh.vertices.size());
@@ -195,7 +188,7 @@ private:
 
   LocalEstimate estimateBeyond(Index vertex, const Vector3& viewpoint, LocalFit::Scratch& scratch) const {
     const Vector3& at = placeOf(vertex);
-    const LocalModel model = isNear(at) ? beyond(options_.models.near) : options_.models.edge;
+    const LocalModel model = isNear(at) ? beyondPicks(options_.models.near) : options_.models.edge;
     return fit_.at(at, viewpoint, cut_.mesh.normals[static_cast<std::size_t>(vertex)], model, scratch);
   }
 

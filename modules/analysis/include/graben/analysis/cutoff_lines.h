@@ -13,6 +13,7 @@ struct CutoffLine {
   Index fault = -1;
   Index piece = -1; ///< piece label of the mesh, -1 where it has none
   int side = 0;     ///< -1: the footwall's, +1: the hanging wall's, 0: not asked for
+  std::vector<Index> vertices; ///< of the mesh, one for each point
   Points points;    ///< in the direction of the border: the piece lies to the left, seen from the side its normals point to
 };
 

@@ -6,6 +6,9 @@
 
 namespace graben {
 
+/// Standard deviations from P50 to P90 of a normal distribution.
+constexpr double kP90 = 1.2816;
+
 /// The throw of a fault at one of evenly spaced places along its strike.
 struct ProfileRow {
   double along = 0.0;   ///< distance along the footwall's cutoff line
@@ -14,8 +17,12 @@ struct ProfileRow {
   double throw_ = 0.0;  ///< as in ThrowSample: positive where the hanging wall is down
   double heave = 0.0;
   double dip_slip = 0.0;
+  double deviation = std::numeric_limits<double>::quiet_NaN(); ///< standard deviation of the throw; NaN where it is not known
   double dip = 0.0;     ///< of the fault halfway between the cutoffs, degrees from the horizontal
   double azimuth = 0.0; ///< of its dip, degrees clockwise from +y
+
+  /// The throw so many standard deviations off: -kP90 gives P10, 0 P50, kP90 P90.
+  double throwAt(double deviations) const { return throw_ + deviations * deviation; }
 };
 
 /// What a fault does to a horizon, along its strike.

@@ -2,6 +2,8 @@
 
 #include "graben/analysis/cutoff_lines.h"
 
+#include <limits>
+
 namespace graben {
 
 /// What a fault does to a horizon at one place: read off its two cutoff lines in the vertical plane across the fault's strike.
@@ -15,6 +17,7 @@ struct ThrowSample {
   double throw_ = 0.0;  ///< vertical separation
   double heave = 0.0;   ///< horizontal separation across strike
   double dip_slip = 0.0; ///< separation along the fault's dip, with the sign of the throw
+  double deviation = std::numeric_limits<double>::quiet_NaN(); ///< standard deviation of the throw; NaN where it is not known
 };
 
 /// Reads the throw off the cutoff lines, at each point of the footwall's that has a counterpart.

@@ -49,6 +49,7 @@ struct ReconstructionOptions {
   unsigned threads = 0;      ///< 0: one per processor
   SkippedSteps skip;         ///< for comparisons
   double throw_interval = 0.0; ///< distance between the rows of FaultProfile along a fault, in x, y units; 0: four voxels, rounded
+  bool deviation = true;     ///< the standard deviation of the heights is reckoned; a tenth of the time
   bool keep_picks = true;    ///< false: ReconstructionResult says nothing of single picks, which saves memory
   ProgressCallback progress;
 };
@@ -57,7 +58,8 @@ struct ReconstructionOptions {
 struct ReconstructionResult {
   /// The whole horizon: vertex normals (up), piece labels, vertices doubled along the cuts. Scalars of each vertex: pick_distance, to the nearest pick
   /// that no fault hides from it, in x, y units with z scaled; extrapolated, 1 where that is more than rho + delta and 0 elsewhere;
-  /// residual, mean distance of the picks at its triangles to the surface, positive above it, in z units, NaN where there are none.
+  /// residual, mean distance of the picks at its triangles to the surface, positive above it, in z units, NaN where there are none; with deviation
+  /// height_sd, the standard deviation of its height in z units, see heightDeviation().
   TriangleMesh mesh;
   std::vector<std::array<Index, 2>> vertex_faults; ///< faults each mesh vertex lies on, see CutMesh
   std::vector<FaultSurface> faults;     ///< faults as used: lofted, extended, with upward normals

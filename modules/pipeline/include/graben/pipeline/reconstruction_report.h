@@ -8,6 +8,7 @@
 #include "graben/features/sampling.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -116,6 +117,7 @@ struct ReconstructionReport {
   TriangleQuality quality;
   SealReport seal;
   Extrapolation extrapolation;
+  std::optional<double> throw_deviation; ///< standard deviation of throws, root mean square over the rows of all profiles, z units; not where not known
   std::size_t bridging_triangles = 0;
   std::vector<StageTiming> stages;
   std::vector<std::string> warnings;     ///< sentences for the user

@@ -24,6 +24,13 @@ struct LocalModel {
   double slope_weight = 0.0;  ///< of a measured slope (TangentPlanes::measured) against a height: (error of a height / error of a slope)^2
 };
 
+/// The model for places beyond the picks, as between them and a fault: carrying on asks for more picks and a lower degree than lying among them.
+inline LocalModel beyondPicks(LocalModel model) {
+  model.degree = model.degree < 2 ? model.degree : 2;
+  model.neighbors *= 2;
+  return model;
+}
+
 /// The estimate at a place.
 struct LocalEstimate {
   bool valid = false;
