@@ -1,5 +1,7 @@
 #include "support/takeaway_pictures.h"
 
+#include "support/report_page.h"
+
 #include "graben/core/ticks.h"
 #include "graben/visualization/fault_diagrams.h"
 #include "graben/visualization/map_picture.h"
@@ -16,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kPictures = {"map", "pieces", "oblique", "residuals", "deviation", "sections", "throws", "allan"};
+const std::vector<std::string> kPictures = {"map", "pieces", "oblique", "residuals", "deviation", "sections", "throws", "allan", "report"};
 const std::vector<std::string> kFormats = {"png", "svg", "pdf"};
 constexpr std::size_t kMostFaults = 30; // whose diagrams are drawn: those of greatest throw
 constexpr double kSectionThrows = 8.0;  // half length of a section in dip slips of its fault
@@ -44,7 +46,7 @@ std::set<std::string> chosenOf(const OptionValues& values, const std::string& op
 class Pictures {
 public:
   Pictures(const fs::path& dir, const ReconstructionResult& result, const UnitNames& units, const PictureChoice& choice)
-    : dir_(dir), result_(result), choice_(choice) {
+    : dir_(dir), result_(result), unit_names_(units), choice_(choice) {
     units_.xy = units.xy;
     units_.z = units.z;
     units_.z_positive = result.frame.z_positive;
@@ -53,7 +55,7 @@ public:
       scene_.faults.push_back(mapFault(f));
   }
 
-  std::vector<std::string> draw() {
+  std::vector<std::string> draw(const std::string& options) {
     if (result_.mesh.empty())
       return {"No pictures: the surface has no triangles"};
     drawMaps();
@@ -68,6 +70,8 @@ public:
     if (faults.size() < with_throw)
       notes.push_back("Sections and diagrams are drawn for the " + std::to_string(kMostFaults) + " faults of greatest throw of " +
                       std::to_string(with_throw));
+    if (choice_.has("report"))
+      writeReportPage(dir_, result_, unit_names_, options, drawn_);
     return notes;
   }
 
@@ -86,6 +90,13 @@ private:
 
   std::string stem(const std::string& name) const { return (dir_ / name).string(); }
 
+  /// For the page: those that are there as PNG.
+  void note(const std::string& title, const std::string& name) {
+    if (fs::exists(dir_ / (name + ".png")))
+      drawn_.push_back({title, stem(name + ".png")});
+  }
+
+
   MapOptions mapOptions(MapColors colors, const std::string& title) const {
     MapOptions o;
     o.colors = colors;
@@ -95,16 +106,21 @@ private:
     return o;
   }
 
-  void drawMaps() const {
+  void drawOneMap(const std::string& name, const MapScene& scene, const MapOptions& options) {
+    drawMap(stem(name), scene, options);
+    note(options.title, name);
+  }
+
+  void drawMaps() {
     if (choice_.has("map"))
-      drawMap(stem("map"), scene_, mapOptions(MapColors::Height, "Horizon"));
+      drawOneMap("map", scene_, mapOptions(MapColors::Height, "Horizon"));
     if (choice_.has("pieces"))
-      drawMap(stem("pieces"), scene_, mapOptions(MapColors::Piece, "Pieces"));
+      drawOneMap("pieces", scene_, mapOptions(MapColors::Piece, "Pieces"));
     if (choice_.has("deviation") && result_.mesh.scalars.count("height_sd") > 0) {
       MapOptions o = mapOptions(MapColors::Scalar, "Standard deviation of the height");
       o.scalar = "height_sd";
       o.values_title = "std. dev. [" + units_.z + "]";
-      drawMap(stem("deviation"), scene_, o);
+      drawOneMap("deviation", scene_, o);
     }
     if (!choice_.has("residuals") || result_.picks.empty())
       return;
@@ -113,10 +129,10 @@ private:
     scene.pick_values = &result_.pick_residual;
     MapOptions o = mapOptions(MapColors::Picks, "Residuals: picks above (orange) and below (blue) the surface");
     o.values_title = "residual [" + units_.z + "]";
-    drawMap(stem("residuals"), scene, o);
+    drawOneMap("residuals", scene, o);
   }
 
-  void drawObliqueView() const {
+  void drawObliqueView() {
     ObliqueScene scene;
     scene.mesh = &result_.mesh;
     for (const FaultSurface& fault : result_.faults)
@@ -126,6 +142,7 @@ private:
     o.formats.png = choice_.formats.png || !choice_.formats.pdf;
     o.title = "Horizon from the south-west";
     drawOblique(stem("oblique"), scene, o);
+    note(o.title, "oblique");
   }
 
   std::vector<std::size_t> faultsToDraw() const {
@@ -157,7 +174,7 @@ private:
     return curve;
   }
 
-  void drawFault(std::size_t f) const {
+  void drawFault(std::size_t f) {
     const std::string& name = result_.faults[f].name;
     DiagramOptions o;
     o.units = units_;
@@ -166,17 +183,19 @@ private:
     if (choice_.has("throws")) {
       o.title = "Throw along " + name;
       drawThrowProfile(stem(fileOfFault("throw_profile", f, name)), curve, o);
+      note(o.title, fileOfFault("throw_profile", f, name));
     }
     if (choice_.has("allan")) {
       o.title = "Allan diagram of " + name;
       drawAllanDiagram(stem(fileOfFault("allan", f, name)), {curve}, o);
+      note(o.title, fileOfFault("allan", f, name));
     }
     if (choice_.has("sections"))
       drawFaultSection(f);
   }
 
   /// Across the fault at its largest throw.
-  void drawFaultSection(std::size_t f) const {
+  void drawFaultSection(std::size_t f) {
     const FaultProfile& profile = result_.profiles[f];
     const ProfileRow& row = profile.rows[profile.largest];
     const double h = result_.report.used.voxel_size;
@@ -195,14 +214,18 @@ private:
     o.formats = choice_.formats;
     o.band = kBandVoxels * h;
     o.title = "Across " + result_.faults[f].name + " at its largest throw, towards " + tickText(row.azimuth, 1.0) + "°";
-    drawSection(stem(fileOfFault("section", f, result_.faults[f].name)), scene, {middle - half * across, middle + half * across}, o);
+    const std::string name = fileOfFault("section", f, result_.faults[f].name);
+    drawSection(stem(name), scene, {middle - half * across, middle + half * across}, o);
+    note(o.title, name);
   }
 
   const fs::path& dir_;
   const ReconstructionResult& result_;
+  const UnitNames& unit_names_;
   const PictureChoice& choice_;
   PictureUnits units_;
   MapScene scene_;
+  std::vector<ReportPicture> drawn_;
 };
 
 } // namespace
@@ -217,12 +240,16 @@ PictureChoice pictureChoice(const OptionValues& values) {
   if (values.text("pictures") != "none")
     choice.names = chosenOf(values, "pictures", kPictures);
   const std::set<std::string> formats = chosenOf(values, "picture-formats", kFormats);
+  for (const char* option : {"horizon", "fault", "dips", "config", "voxel-size", "z-scale", "fault-reach", "clearance"})
+    if (values.has(option) && !values.texts(option).empty())
+      for (const std::string& value : values.texts(option))
+        choice.options += (choice.options.empty() ? "--" : " --") + std::string(option) + " " + fs::path(value).filename().string();
   choice.formats = {formats.count("png") > 0, formats.count("svg") > 0, formats.count("pdf") > 0};
   return choice;
 }
 
 std::vector<std::string> drawPictures(const fs::path& dir, const ReconstructionResult& result, const UnitNames& units, const PictureChoice& choice) {
-  return choice.names.empty() ? std::vector<std::string>() : Pictures(dir, result, units, choice).draw();
+  return choice.names.empty() ? std::vector<std::string>() : Pictures(dir, result, units, choice).draw(choice.options);
 }
 
 } // namespace graben

@@ -13,6 +13,7 @@ namespace graben {
 namespace {
 
 constexpr double kMostRows = 1e6;
+constexpr double kNoThrow = 0.02; // of the greatest: the sign of so small a throw says nothing
 constexpr double kTip = 1e-6;   // of the length: separation under which the two sides meet
 
 ProfileRow between(const ThrowSample& a, const ThrowSample& b, double along) {
@@ -28,6 +29,31 @@ ProfileRow between(const ThrowSample& a, const ThrowSample& b, double along) {
   row.dip_slip = mean(a.dip_slip, b.dip_slip);
   row.deviation = mean(a.deviation, b.deviation);
   return row;
+}
+
+std::size_t signChanges(const std::vector<ProfileRow>& rows, double greatest) {
+  std::size_t changes = 0;
+  int before = 0;
+  for (const ProfileRow& row : rows) {
+    if (std::abs(row.throw_) <= kNoThrow * greatest)
+      continue;
+    const int sign = row.throw_ > 0.0 ? 1 : -1;
+    changes += before != 0 && sign != before ? 1 : 0;
+    before = sign;
+  }
+  return changes;
+}
+
+double roughnessOf(const std::vector<ProfileRow>& rows, double interval, double greatest) {
+  double squares = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
+    if (rows[i + 1].along - rows[i - 1].along > 2.5 * interval)
+      continue;
+    squares += std::pow(rows[i].throw_ - 0.5 * (rows[i - 1].throw_ + rows[i + 1].throw_), 2);
+    ++count;
+  }
+  return count > 0 && greatest > 0.0 ? std::sqrt(squares / static_cast<double>(count)) / greatest : 0.0;
 }
 
 } // namespace
@@ -63,6 +89,11 @@ FaultProfile faultProfile(const std::vector<ThrowSample>& samples, std::size_t f
       profile.largest = profile.rows.size();
     profile.rows.push_back(row);
     profile.ratio = std::max(profile.ratio, std::abs(row.dip_slip));
+  }
+  if (!profile.rows.empty()) {
+    const double greatest = std::abs(profile.rows[profile.largest].throw_);
+    profile.sign_changes = signChanges(profile.rows, greatest);
+    profile.roughness = roughnessOf(profile.rows, interval, greatest);
   }
   profile.ratio = profile.length > 0.0 ? profile.ratio / profile.length : 0.0;
   const auto meets = [&](const ThrowSample& s) { return (s.hanging_wall - s.footwall).norm() <= kTip * profile.length; };

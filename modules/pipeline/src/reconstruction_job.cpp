@@ -200,6 +200,7 @@ void ReconstructionJob::finish() {
     computeVertexNormals(cut_.mesh, *corners_, options_.threads);
   else
     tidy();
+  takeCarriedPlacesOut();
   estimateDeviation();
   if (options_.keep_picks)
     normals_ = std::move(planes_.normals);
@@ -221,7 +222,6 @@ void ReconstructionJob::measureSurface() {
   ExtrapolationOptions extrapolation;
   extrapolation.limit = rhoPlusDelta();
   extrapolation.threads = options_.threads;
-  takeCarriedPlacesOut();
   result_.report.extrapolation = markExtrapolation(cut_, *corners_, grid_, faults_, extrapolation);
   grid_ = NeighborGrid();
   for (const auto& [pick, place] : aside_)

@@ -75,6 +75,8 @@ Json json(const FaultReport& f, const FaultSeal* seal) {
   j["throw"] = json(f.throw_);
   j["throw"]["throw_length_ratio"] = f.throw_length_ratio;
   j["throw"]["tips"] = f.tips;
+  j["throw"]["sign_changes"] = f.sign_changes;
+  j["throw"]["roughness"] = f.roughness;
   j["gap_area"] = f.gap_area;
   j["overlap_area"] = f.overlap_area;
   if (seal != nullptr)
@@ -130,7 +132,9 @@ Json reportTree(const ReconstructionReport& r, bool with_timings) {
                      {"crumbs_removed", r.crumbs_removed}};
   j["approximation_error"] = {{"zone_before_fit", toJson<Json>(r.zone_before_fit)},
                               {"zone_after_fit", toJson<Json>(r.zone_after_fit)},
-                              {"all_picks", toJson<Json>(r.all_picks)}};
+                              {"all_picks", toJson<Json>(r.all_picks)},
+                              {"left_out_away", r.left_out_away},
+                              {"left_out_near", r.left_out_near}};
   j["topology"] = toJson<Json>(r.topology);
   j["quality"] = toJson<Json>(r.quality);
   j["seal"] = toJson<Json>(r.seal.all);

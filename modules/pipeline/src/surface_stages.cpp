@@ -133,6 +133,8 @@ void ReconstructionJob::refineLocally() {
   RefineOptions refinement;
   refinement.models = chooseModels(local, used.zone_width, options_.threads);
   models_ = refinement.models;
+  result_.report.left_out_away = models_->error_away;
+  result_.report.left_out_near = models_->error_near;
   refinement.zone_width = used.zone_width;
   refinement.max_step = used.voxel_size;
   refinement.threads = options_.threads;

@@ -112,6 +112,8 @@ void ReconstructionJob::readThrowsOff(const EdgeAdjacency& adjacency) {
       }
     FaultReport& report = result_.report.faults[f];
     report.throw_length_ratio = profile.ratio;
+    report.sign_changes = profile.sign_changes;
+    report.roughness = profile.roughness;
     report.tips = (profile.tip_at_start ? 1 : 0) + (profile.tip_at_end ? 1 : 0);
     report.throw_ = summarize(result_.throws[f]);
     result_.profiles.push_back(std::move(profile));

@@ -1,11 +1,13 @@
 #include "graben/visualization/oblique_picture.h"
 
+#include "clipped_mesh.h"
 #include "plot.h"
 #include "raster.h"
 
 #include "graben/core/errors.h"
 #include "graben/core/ticks.h"
 #include "graben/mesh/bounds.h"
+#include "graben/mesh/normals.h"
 
 #include <Eigen/Geometry>
 
@@ -20,22 +22,6 @@ constexpr const char* kStage = "drawing an oblique view";
 constexpr double kRadians = 3.14159265358979323846 / 180.0;
 constexpr double kFaultOpacity = 0.32;
 constexpr double kReliefShare = 0.25; // of the width: how high the relief is drawn
-
-/// Cuts a polygon off where inside() is negative.
-template <typename Inside>
-Points cutOff(const Points& polygon, Inside inside) {
-  Points kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector3& p = polygon[i];
-    const Vector3& q = polygon[(i + 1) % polygon.size()];
-    const double a = inside(p), b = inside(q);
-    if (a >= 0.0)
-      kept.push_back(p);
-    if ((a >= 0.0) != (b >= 0.0))
-      kept.push_back(p + a / (a - b) * (q - p));
-  }
-  return kept;
-}
 
 class ObliqueDrawing {
 public:
@@ -129,37 +115,23 @@ private:
     raster.draw(mesh.triangles.size(), triangle, 1.0, options_.threads);
   }
 
-  /// Faults reach far over and under a horizon: what is near it shows.
   void drawFaults(Raster& raster) const {
-    const Vector3 size = box_.size();
-    Vector3 margin(0.02 * size.x(), 0.02 * size.y(), 0.15 * size.z());
-    margin = margin.cwiseMax(1e-3 * box_.diagonal());
-    const Vector3 low = box_.low - margin, high = box_.high + margin;
-    std::vector<std::array<Vector3, 3>> parts;
-    for (const TriangleMesh* fault : scene_.faults)
-      for (const Triangle& t : fault->triangles) {
-        Points polygon;
-        for (const Index v : t)
-          polygon.push_back(fault->vertices[static_cast<std::size_t>(v)]);
-        for (int axis = 0; axis < 3; ++axis) {
-          polygon = cutOff(polygon, [&](const Vector3& p) { return p[axis] - low[axis]; });
-          polygon = cutOff(polygon, [&](const Vector3& p) { return high[axis] - p[axis]; });
+    const Bounds box = boxAroundSurface(*scene_.mesh);
+    for (const TriangleMesh* whole : scene_.faults) {
+      const TriangleMesh fault = clippedMesh(*whole, box);
+      const auto triangle = [&](std::size_t i) {
+        RasterTriangle t;
+        const Vector3 normal = areaNormal(fault, fault.triangles[i]);
+        for (std::size_t k = 0; k < 3; ++k) {
+          t.corners[k] = project(fault.vertices[static_cast<std::size_t>(fault.triangles[i][k])]);
+          t.colors[k] = kFault;
+          for (double& c : t.colors[k])
+            c *= normal.norm() > 0.0 ? shade(normal.normalized()) : 1.0;
         }
-        for (std::size_t i = 2; i < polygon.size(); ++i)
-          parts.push_back({polygon[0], polygon[i - 1], polygon[i]});
-      }
-    const auto triangle = [&](std::size_t i) {
-      RasterTriangle t;
-      const Vector3 normal = (parts[i][1] - parts[i][0]).cross(parts[i][2] - parts[i][0]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        t.corners[k] = project(parts[i][k]);
-        t.colors[k] = kFault;
-        for (double& c : t.colors[k])
-          c *= normal.norm() > 0.0 ? shade(normal.normalized()) : 1.0;
-      }
-      return t;
-    };
-    raster.draw(parts.size(), triangle, kFaultOpacity, options_.threads);
+        return t;
+      };
+      raster.draw(fault.triangles.size(), triangle, kFaultOpacity, options_.threads);
+    }
   }
 
   void drawMargin() {

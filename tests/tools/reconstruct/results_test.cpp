@@ -46,6 +46,11 @@ TEST_F(ReconstructResults, FolderHoldsAllThatGoesWithTheSurface) {
     EXPECT_THAT(content("out/results/" + picture + ".svg"), StartsWith("<?xml")) << picture;
   }
   EXPECT_THAT(content("out/results/oblique.png"), StartsWith("\x89PNG"));
+  const std::string page = content("out/results/report.html");
+  for (const char* said : {"<h2>What went in</h2>", "<h2>Misfit</h2>", "<h2>Throws</h2>", "<h2>Time and memory</h2>", "--horizon horizon.xyz", "fault_2",
+                           "on the wrong side of a fault", "data:image/png;base64,"})
+    EXPECT_THAT(page, HasSubstr(said));
+  EXPECT_LT(page.size(), 15000000U);
 
   const TriangleMesh top = readMesh(path("top.ply"));
   EXPECT_EQ(top.normals.size(), top.vertices.size());
@@ -88,7 +93,8 @@ TEST_F(ReconstructResults, ThrowProfilesHaveUnitsAndARowEverySoOften) {
   std::istringstream profile(content("r/profile_1_fault_1.csv"));
   std::string line;
   std::getline(profile, line);
-  EXPECT_EQ(line, "along [ft],x [ft],y [ft],footwall_z [ms],hanging_wall_z [ms],throw [ms],throw_p10 [ms],throw_p90 [ms],throw_sd [ms],heave [ft],dip_slip [ft],fault_dip [deg],fault_dip_azimuth [deg]");
+  EXPECT_EQ(line, "along [ft],x [ft],y [ft],footwall_z [ms],hanging_wall_z [ms],throw [ms],throw_p10 [ms],throw_p90 [ms],throw_sd [ms],"
+                  "heave [ft],dip_slip [ft],fault_dip [deg],fault_dip_azimuth [deg]");
   double along = 0.0;
   for (; std::getline(profile, line); along += 500.0)
     EXPECT_EQ(std::stod(line), along);

@@ -97,12 +97,12 @@ void expectFourOutOfFive(const Calibration& c) {
 TEST(Deviation, HoldsTheTruthFourTimesOutOfFive) {
   for (const SyntheticKind kind : {SyntheticKind::Normal, SyntheticKind::Reverse, SyntheticKind::Tip}) {
     SCOPED_TRACE(static_cast<int>(kind));
-    expectFourOutOfFive(calibrate(kind, 3, [](SyntheticOptions&) {}));
+    expectFourOutOfFive(calibrate(kind, 2, [](SyntheticOptions&) {}));
   }
 }
 
 TEST(Deviation, GrowsWithTheNoise) {
-  expectFourOutOfFive(calibrate(SyntheticKind::Normal, 3, [](SyntheticOptions& o) { o.noise = 6.0; }));
+  expectFourOutOfFive(calibrate(SyntheticKind::Normal, 2, [](SyntheticOptions& o) { o.noise = 6.0; }));
 }
 
 /// Where picks stop short of the fault, and between lines, the band is wide, and wide enough.
@@ -116,8 +116,8 @@ TEST(Deviation, IsWideWhereThereAreNoPicks) {
   };
   const auto gap = [](SyntheticOptions& o) { o.gap = 150.0; };
   EXPECT_GT(meanOf(gap), 1.5 * meanOf([](SyntheticOptions&) {}));
-  EXPECT_GT(calibrate(SyntheticKind::Normal, 2, gap).ofThrows(), 0.7);
-  EXPECT_GT(calibrate(SyntheticKind::Normal, 2, [](SyntheticOptions& o) { o.sampling.kind = SyntheticSamplingKind::Lines; }).ofThrows(), 0.7);
+  EXPECT_GT(calibrate(SyntheticKind::Normal, 1, gap).ofThrows(), 0.7);
+  EXPECT_GT(calibrate(SyntheticKind::Normal, 1, [](SyntheticOptions& o) { o.sampling.kind = SyntheticSamplingKind::Lines; }).ofThrows(), 0.7);
 }
 
 TEST(Deviation, IsLeftOutWhereNotAskedFor) {

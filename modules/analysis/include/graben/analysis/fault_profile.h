@@ -33,6 +33,8 @@ struct FaultProfile {
   double length = 0.0;          ///< of the fault's trace on the horizon: less than the fault's own where it leaves the picks
   bool tip_at_start = false;    ///< the throw falls to 0 there: the fault ends inside the horizon
   bool tip_at_end = false;
+  std::size_t sign_changes = 0; ///< along strike, of throws above a fiftieth of the greatest: faults rarely turn from normal to reverse
+  double roughness = 0.0;       ///< root mean square by which a row's throw is off the middle of its two neighbours', over the greatest throw
   double ratio = 0.0;           ///< greatest dip slip by size / length, the D / L of fault scaling; 0 without rows
 };
 

@@ -46,6 +46,8 @@ struct FaultReport {
   double branch_gap = 0.0;        ///< largest distance it was extended over to reach that fault
   ThrowSummary throw_;            ///< throws in the picks' z units, lengths in x, y units
   double throw_length_ratio = 0.0; ///< D / L, see FaultProfile::ratio
+  std::size_t sign_changes = 0;   ///< see FaultProfile
+  double roughness = 0.0;
   std::size_t tips = 0;           ///< ends of its trace at which the throw falls to 0
   double gap_area = 0.0;          ///< of its fault polygons in the map, x, y units squared
   double overlap_area = 0.0;      ///< the same where the horizon lies over itself
@@ -112,6 +114,8 @@ struct ReconstructionReport {
   DistanceStatistics zone_before_fit;    ///< E(M, X) over the picks in the zone
   DistanceStatistics zone_after_fit;
   DistanceStatistics all_picks;          ///< over all picks, after the fit
+  double left_out_away = 0.0;            ///< RMS by which the local fit misses picks left out, away from the faults and near them; 0: not fitted
+  double left_out_near = 0.0;
   double coverage = 0.0;                 ///< share of the picks not set aside that have the surface within rho + delta
   TopologyReport topology;
   TriangleQuality quality;
