@@ -62,7 +62,8 @@ int run(const OptionValues& values) {
   input.options.reconstruction.progress = display->callback();
   const ModelResult result = ModelReconstruction(input.options).reconstruct(std::move(input.horizons), input.faults);
   if (values.has("results"))
-    writeModelFolder(values.text("results"), result);
+    for (const std::string& note : writeModelFolder(values.text("results"), result))
+      input.notes.push_back(note);
   if (values.has("output") && result.check.good())
     writeModelFile(values.text("output"), result);
   display.reset();

@@ -1,6 +1,8 @@
 #include "support/run.h"
 #include "support/synthetic_folder.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 
 namespace {
@@ -51,6 +53,10 @@ OptionParser makeParser() {
       .value("z-scale", "V", "x, y units per unit of the written z, for time in ms", "1")
       .value("z-unit", "NAME", "label of z", "m");
   addSamplingOptions(parser);
+  parser.section("Stack")
+      .value("horizons", "N", "this many horizons under one another, cut by the same faults, as horizon.xyz, horizon_2.xyz and so on (1)")
+      .list("thickness", "T", "of the layers between them; the last holds for the rest (150)")
+      .list("wedge", "W", "share by which a layer's thickness grows to the east and falls to the west; over 1: it thins out to nothing (0)");
   parser.section("Picks")
       .value("picks", "N", "number of scattered picks (60000)")
       .value("noise", "SIGMA", "standard deviation of the vertical Gaussian noise (2)")
@@ -180,6 +186,40 @@ SyntheticOptions readOptions(const OptionValues& values) {
   return o;
 }
 
+/// The k-th of numbers given as a list, the last for those beyond.
+double listed(const OptionValues& values, const std::string& name, std::size_t k, double otherwise) {
+  const std::vector<std::vector<double>> given = values.numberLists(name, 1);
+  return given.empty() ? otherwise : given[std::min(k, given.size() - 1)].front();
+}
+
+std::size_t deeperCount(const OptionValues& values) {
+  return values.has("horizons") ? static_cast<std::size_t>(values.integer("horizons", 1, 100)) - 1 : 0;
+}
+
+constexpr double kUsualThickness = 150.0;
+
+double stackThickness(const OptionValues& values) {
+  double thickness = 0.0;
+  for (std::size_t k = 0; k < deeperCount(values); ++k)
+    thickness += listed(values, "thickness", k, kUsualThickness) * (1.0 + std::abs(listed(values, "wedge", k, 0.0)));
+  return thickness;
+}
+
+/// The horizons below the first, each with picks of its own.
+std::vector<SyntheticModel> deeperHorizons(const OptionValues& values, SyntheticOptions options) {
+  std::vector<SyntheticModel> deeper;
+  double slope = 0.0; // of what a horizon is lowered by, towards the east
+  for (std::size_t k = 0; k < deeperCount(values); ++k) {
+    const double thickness = listed(values, "thickness", k, kUsualThickness);
+    options.lowered += thickness;
+    slope += thickness * listed(values, "wedge", k, 0.0);
+    options.wedge = options.lowered != 0.0 ? slope / options.lowered : 0.0;
+    ++options.seed;
+    deeper.emplace_back(options);
+  }
+  return deeper;
+}
+
 int synthesize(const OptionValues& values) {
   if (!values.has("output"))
     throw UsageError("--output DIR is missing");
@@ -189,9 +229,11 @@ int synthesize(const OptionValues& values) {
   write.truth = !values.has("no-truth");
   write.truth_resolution = values.number("truth-resolution", 0.0);
   write.threads = static_cast<unsigned>(values.integer("threads", 0, 1024));
-  const SyntheticOptions options = readOptions(values);
+  SyntheticOptions options = readOptions(values);
+  options.overhang_below += stackThickness(values);
   const SyntheticModel model(options);
   checkSyntheticFolder(values, model.faultCount());
+  write.deeper = deeperHorizons(values, options);
   const SyntheticFolder folder = writeSyntheticFolder(model, values.text("output"), write);
   if (!values.has("quiet"))
     std::cout << "Wrote " << folder.picks << " picks of " << model.blockCount() << " block(s), "

@@ -5,6 +5,10 @@
 #include "graben/io/mesh_writer.h"
 #include "graben/io/sealed_writer.h"
 #include "graben/io/table_writer.h"
+#include "graben/mesh/bounds.h"
+#include "graben/model/model_section.h"
+#include "graben/visualization/render.h"
+#include "support/section_files.h"
 
 #include <Eigen/Geometry>
 
@@ -31,7 +35,8 @@ class FolderWriter {
 public:
   FolderWriter(const fs::path& folder, const ModelResult& result) : folder_(folder), result_(result), sealed_(result.sealed) {}
 
-  void write() {
+  /// \return sentences for the user
+  std::vector<std::string> write() {
     makeFolder(folder_);
     writeHorizons();
     if (result_.check.good()) {
@@ -40,6 +45,7 @@ public:
       writeBlockTable();
       writePatchTable();
       writeContacts();
+      drawPictures();
       writeGmsh(add("model.msh"), sealed_);
       written_.insert("model.geo");
       writeModel3d(add("model.ml"), sealed_, named("model"));
@@ -51,6 +57,7 @@ public:
     }
     writeText(add("report.json"), modelJson(result_));
     removeFormer();
+    return notes_;
   }
 
 private:
@@ -189,6 +196,78 @@ private:
     writeTable(add("contacts.csv"), {{"fault", fault}, {"footwall_layer", foot}, {"hanging_wall_layer", hanging}, {"area", area}});
   }
 
+  /// Two sections through the middle, and the blocks drawn apart.
+  void drawPictures() {
+    SealedInput model;
+    model.mesh = sealed_;
+    model.z_positive = result_.frame.z_positive;
+    for (const SealedBlock& block : sealed_.blocks)
+      model.layer_names.push_back(layerName(block.layer));
+    const Bounds box = boundsOf(sealed_.vertices);
+    const Vector3 middle = 0.5 * (box.low + box.high);
+    SectionFileOptions options;
+    options.formats = {"png", "svg", "csv"};
+    const auto section = [&](const std::string& name, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+      writeSection((folder_ / "sections").string(), name, model, cutModel(sealed_, {from, to}, model.z_positive == ZPositive::Down), options);
+      for (const char* ending : {".png", ".svg", ".csv", "_throws.csv"})
+        written_.insert("sections/" + name + ending);
+    };
+    section("west_east", {box.low.x(), middle.y()}, {box.high.x(), middle.y()});
+    section("south_north", {middle.x(), box.low.y()}, {middle.x(), box.high.y()});
+    drawBlocksApart(box, middle);
+  }
+
+  /// Faces that look different ways do not share vertices: no shading runs round the block's edges.
+  TriangleMesh sharpEdged(const TriangleMesh& block) const {
+    TriangleMesh parts;
+    std::map<std::pair<Index, Index>, Index> place;
+    for (std::size_t i = 0; i < block.triangles.size(); ++i) {
+      const auto p = [&](std::size_t k) -> const Vector3& { return block.vertices[static_cast<std::size_t>(block.triangles[i][k])]; };
+      Eigen::Index axis = 0;
+      const Vector3 normal = (p(1) - p(0)).cross(p(2) - p(0));
+      normal.cwiseAbs().maxCoeff(&axis);
+      const auto way = static_cast<Index>(2 * axis + (normal[axis] > 0.0 ? 1 : 0));
+      Triangle t{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [found, is_new] = place.insert({{block.triangles[i][k], way}, static_cast<Index>(parts.vertices.size())});
+        if (is_new)
+          parts.vertices.push_back(p(k));
+        t[k] = found->second;
+      }
+      parts.triangles.push_back(t);
+    }
+    return parts;
+  }
+
+  void drawBlocksApart(const Bounds& box, const Vector3& middle) {
+    constexpr double kApart = 0.25;
+    TriangleMesh apart;
+    for (std::size_t b = 0; b < sealed_.blocks.size(); ++b) {
+      TriangleMesh block = sharpEdged(blockSurface(sealed_, static_cast<Index>(b)));
+      const Bounds its = boundsOf(block.vertices);
+      Vector3 shift = kApart * (0.5 * (its.low + its.high) - middle);
+      const double down = result_.frame.z_positive == ZPositive::Down ? 1.0 : -1.0;
+      shift.z() = down * sealed_.blocks[b].layer * 0.5 * box.size().z();
+      for (Vector3& p : block.vertices)
+        p += shift;
+      block.piece.assign(block.vertices.size(), sealed_.blocks[b].layer);
+      append(apart, block);
+    }
+    const Offscreen screen;
+    if (!screen.available()) {
+      notes_.push_back("No picture of the blocks: " + screen.reason());
+      return;
+    }
+    SurfaceScene scene;
+    scene.mesh = &apart;
+    RenderOptions o;
+    o.view = View::oblique();
+    o.color_by = ColorBy::Piece;
+    o.z_positive = result_.frame.z_positive;
+    o.title = "blocks drawn apart, by layer";
+    renderSurface(screen, add("blocks.png"), scene, o);
+  }
+
   void writeDefects() {
     TriangleMesh mesh;
     for (const SealedDefect& defect : result_.check.defects) {
@@ -222,6 +301,7 @@ private:
   const ModelResult& result_;
   const SealedMesh& sealed_;
   std::set<std::string> written_;
+  std::vector<std::string> notes_;
 };
 
 } // namespace
@@ -273,8 +353,7 @@ std::string modelJson(const ModelResult& result) {
 }
 
 std::vector<std::string> writeModelFolder(const std::string& folder, const ModelResult& result) {
-  FolderWriter(folder, result).write();
-  return {};
+  return FolderWriter(folder, result).write();
 }
 
 void writeModelFile(const std::string& path, const ModelResult& result) {

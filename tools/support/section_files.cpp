@@ -23,7 +23,7 @@ std::string shortNumber(double value) {
 
 std::string placeText(const Eigen::Vector2d& p) {
   char text[80];
-  std::snprintf(text, sizeof(text), "%.0f, %.0f", p.x(), p.y());
+  std::snprintf(text, sizeof(text), "%.0f, %.0f", std::round(p.x()) + 0.0, std::round(p.y()) + 0.0);
   return text;
 }
 

@@ -87,9 +87,14 @@ private:
   }
 
   void writePicks() {
-    SyntheticPicks picks = model_.picks(options_.threads);
-    picks_ = picks.points.size();
-    const std::string path = add("horizon." + options_.format);
+    picks_ = writePicks(model_, "horizon");
+    for (std::size_t k = 0; k < options_.deeper.size(); ++k)
+      picks_ += writePicks(options_.deeper[k], "horizon_" + std::to_string(k + 2));
+  }
+
+  std::size_t writePicks(const SyntheticModel& model, const std::string& name) {
+    SyntheticPicks picks = model.picks(options_.threads);
+    const std::string path = add(name + "." + options_.format);
     if (options_.format == "pcd")
       writeBinaryPicks(path, pcdHeader(picks.points.size()), picks);
     else if (options_.format == "ply")
@@ -101,6 +106,7 @@ private:
       });
       writeXyz(path, picks.points);
     }
+    return picks.points.size();
   }
 
   MeshWriteOptions named(const std::string& name) const {
@@ -128,6 +134,13 @@ private:
       append(whole, blocks[i]);
     }
     writeMesh(add("truth.ply"), whole, named("truth"));
+    for (std::size_t k = 0; k < options_.deeper.size(); ++k) {
+      const std::string name = "truth_horizon_" + std::to_string(k + 2);
+      TriangleMesh deeper;
+      for (const TriangleMesh& block : options_.deeper[k].truthMeshes(options_.truth_resolution))
+        append(deeper, block);
+      writeMesh(add(name + ".ply"), deeper, named(name));
+    }
     const std::vector<TrueCutoffLine> lines = model_.cutoffLines(options_.truth_resolution);
     for (std::size_t i = 0; i < model_.faultCount(); ++i)
       for (const int side : {-1, 1}) {
@@ -159,6 +172,8 @@ private:
         shown(std::round(10.0 * o_.spacing()) / 10.0) + ", noise sigma " + shown(o_.noise) +
         " (vertical, x, y units), seed " + std::to_string(o_.seed) + ".\n\n" + "horizon." +
         options_.format + "  the picks\n";
+    if (!options_.deeper.empty())
+      text += "horizon_K." + options_.format + "  picks of the horizons below; with truth, truth_horizon_K.ply each of them as one mesh\n";
     if (model_.faultCount() > 0)
       text += "fault_N.ts, fault_N.pol  the faults as GOCAD surfaces and as sticks: the same "
               "surface twice, use one of them\n";
@@ -173,7 +188,22 @@ private:
             command(".ts") + "\n";
     if (model_.faultCount() > 0)
       text += "or from the sticks:\n  " + command(".pol") + "\n";
+    if (!options_.deeper.empty())
+      text += "or all horizons as closed blocks:\n  " + modelCommand() + "\n";
     save("README.txt", text);
+  }
+
+  std::string modelCommand() const {
+    std::string text = "graben_model --horizon H1=horizon." + options_.format;
+    for (std::size_t k = 2; k <= options_.deeper.size() + 1; ++k)
+      text += " H" + std::to_string(k) + "=horizon_" + std::to_string(k) + "." + options_.format;
+    for (std::size_t i = 0; i < model_.faultCount(); ++i)
+      text += (i == 0 ? " --fault fault_" : " fault_") + std::to_string(i + 1) + ".ts";
+    if (o_.frame.z_positive == ZPositive::Down)
+      text += " --z-positive down";
+    if (o_.frame.z_scale != 1.0)
+      text += " --z-scale " + shown(o_.frame.z_scale);
+    return text + " --inset " + shown(std::round(0.05 * o_.size)) + " --results model";
   }
 
   std::string kind() const { return syntheticKindNames()[static_cast<std::size_t>(o_.kind)]; }

@@ -17,6 +17,7 @@ struct SyntheticFolderOptions {
   bool truth = true;             ///< write truth meshes and cutoff lines
   double truth_resolution = 0.0; ///< see SyntheticModel::truthMeshes
   unsigned threads = 0;
+  std::vector<SyntheticModel> deeper; ///< further horizons of a stack: their picks, and their truth in one mesh each
 };
 
 /// What was written.

@@ -54,7 +54,7 @@ public:
     file.write("// The blocks as volumes: gmsh -3 this file\nMerge " + quoted(mesh_name) + ";\n");
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b)
       file.write(volumeOf(static_cast<Index>(b)));
-    file.write("Mesh.MeshSizeExtendFromBoundary = 1;\n");
+    file.write("Mesh.Algorithm3D = 10; // HXT\n");
     file.commit();
   }
 

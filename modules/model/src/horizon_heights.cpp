@@ -75,6 +75,26 @@ private:
   double high_;
 };
 
+/// Slopes that are carried on are those of the horizon about a place, not of its last triangles, which the picks' noise turns.
+void smoothSlopes(const NodeGraph& graph, std::vector<Known>& known, unsigned threads) {
+  constexpr int kRounds = 3;
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<Known> before = known;
+    parallelFor(known.size(), 4096, threads, [&](std::size_t n) {
+      if (!std::isfinite(before[n].height))
+        return;
+      Slope sum = before[n].slope;
+      double count = 1.0;
+      for (const Index m : graph.neighbors(static_cast<Index>(n)))
+        if (std::isfinite(before[static_cast<std::size_t>(m)].height)) {
+          sum += before[static_cast<std::size_t>(m)].slope;
+          count += 1.0;
+        }
+      known[n].slope = sum / count;
+    });
+  }
+}
+
 /// Carries heights on over the graph, nearest first.
 class Continuation {
 public:
@@ -204,6 +224,7 @@ HorizonHeights horizonHeights(const TetrahedronMesh& mesh, const Points& inside,
   const HeightLookup lookup(horizon, faults, bounds.low.z(), bounds.high.z(), options);
   std::vector<Known> known(mesh.node_vertex.size());
   parallelFor(known.size(), 1024, options.threads, [&](std::size_t n) { known[n] = lookup.at(mesh.position(static_cast<Index>(n)), inside[n]); });
+  smoothSlopes(graph, known, options.threads);
   HorizonHeights result;
   result.beyond.assign(known.size(), std::numeric_limits<float>::infinity());
   const auto is_known = [](const Known& k) { return std::isfinite(k.height); };

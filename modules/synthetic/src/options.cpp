@@ -135,6 +135,8 @@ void validate(const SyntheticOptions& o) {
   require(std::isfinite(o.size) && o.size > 0.0, "the size must be positive");
   require(o.relief >= 0.0 && o.relief <= 0.05 * o.size,
           "the relief must be between 0 and 0.05 of the size");
+  require(std::isfinite(o.lowered) && std::abs(o.lowered) <= o.size && std::isfinite(o.wedge) && std::abs(o.wedge) <= 100.0,
+          "what the horizon is lowered by must not exceed the size, its wedge be at most 100");
   require(o.tilt >= 0.0 && o.tilt <= 50.0 && std::isfinite(o.tilt_azimuth), "the tilt must be between 0 and 50 degrees, its azimuth finite");
   validateFrame(o.frame);
   validatePicks(o);

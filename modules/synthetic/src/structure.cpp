@@ -21,7 +21,7 @@ double Structure::base(const Vector2& xy) const {
   double z = 0.0;
   for (const Sine& sine : kSines)
     z += sine.amplitude * std::sin(k * (sine.kx * xy.x() + sine.ky * xy.y()) + sine.phase);
-  return relief * z + tilt.dot(xy);
+  return relief * z + tilt.dot(xy) - lowered;
 }
 
 Vector2 Structure::baseGradient(const Vector2& xy) const {
@@ -58,7 +58,7 @@ double Structure::inside(const Sheet& sheet, const Vector2& xy, int except) cons
 
 double Structure::cutoff(const Sheet& sheet, std::size_t fault, double s) const {
   const SyntheticFault& f = faults[fault];
-  double z_range = relief + size * tilt.norm();
+  double z_range = relief + size * tilt.norm() + std::abs(lowered);
   for (const SyntheticFault& other : faults)
     z_range += std::abs(other.max_throw);
   const double reach = std::abs(f.cot_dip) * z_range + std::abs(f.bend) * z_range * z_range + 1.0;

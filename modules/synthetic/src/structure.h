@@ -23,6 +23,7 @@ struct Structure {
   double size = 0.0;
   double relief = 0.0;
   Vector2 tilt = Vector2::Zero(); ///< gradient of the plane under the relief
+  double lowered = 0.0;           ///< how far that plane lies below z = 0 at the centre
   std::vector<SyntheticFault> faults;
   std::vector<Sheet> sheets;
   Index blocks = 1;

@@ -24,6 +24,8 @@ public:
     constexpr double kDegree = 3.141592653589793 / 180.0;
     const double azimuth = options.tilt_azimuth * kDegree;
     structure_.tilt = -std::tan(options.tilt * kDegree) * Vector2(std::sin(azimuth), std::cos(azimuth));
+    structure_.lowered = options.lowered;
+    structure_.tilt.x() -= 2.0 * options.lowered * options.wedge / options.size;
   }
 
   Structure build();

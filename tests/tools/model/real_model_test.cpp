@@ -5,6 +5,7 @@
 #include "graben/model/model_section.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <map>
 
 namespace graben {
@@ -74,6 +75,22 @@ private:
   Vector3 normal_;
   Vector3 middle_ = Vector3::Zero();
 };
+
+/// gmsh as a judge, in a process of its own: tetrahedra in every block, F1 embedded in its layers.
+TEST_F(ModelToolRealData, GmshMeshesTheBlocksOfModelA4) {
+  GRABEN_REQUIRE_DATA(picks, "modelA4/H1b_points.xyz");
+  if (std::system("gmsh --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "gmsh is not here";
+  const std::string folder = std::filesystem::path(picks).parent_path().string();
+  const auto outcome = run("model", "--horizon H1b=" + folder + "/H1b_points.xyz H2b=" + folder + "/H2b_points.xyz --fault " + folder + "/F1fault.ts " +
+                                      folder + "/F2fault.ts --inset 100 --size 250 --results model --quiet");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  ASSERT_EQ(std::system(("cd '" + path("model") + "' && timeout 300 gmsh -3 model.geo -o tets.msh > log 2>&1").c_str()), 0);
+  const std::string log = content("model/log");
+  EXPECT_EQ(log.find("Error"), std::string::npos) << log;
+  EXPECT_EQ(log.find("Warning"), std::string::npos) << log;
+  EXPECT_TRUE(std::filesystem::exists(path("model/tets.msh")));
+}
 
 TEST_F(ModelToolRealData, BlocksOfModelA4HaveTheirTrueVolumes) {
   GRABEN_REQUIRE_DATA(picks, "modelA4/H1b_points.xyz");

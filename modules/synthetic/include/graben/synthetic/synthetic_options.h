@@ -51,6 +51,10 @@ struct SyntheticOptions {
   double tilt = 0.0;         ///< dip of the unfaulted horizon as a whole, degrees, 0 to 50
   double tilt_azimuth = 0.0; ///< where it dips to, degrees clockwise from north
 
+  double lowered = 0.0; ///< the whole horizon, below where it would be: for the deeper ones of a stack, which the same faults cut
+  double wedge = 0.0;   ///< share by which what it is lowered by grows towards the area's eastern edge, and falls towards the western; below -1 or above 1
+                        ///< the layer thins out to nothing before
+
   // Picks
   SyntheticSampling sampling; ///< how they lie
   std::size_t picks = 60000;  ///< exact number of scattered picks
