@@ -6,6 +6,7 @@
 #include "support/takeaway_pictures.h"
 
 #include "graben/core/errors.h"
+#include "graben/pipeline/realizations.h"
 #include "graben/pipeline/requirements.h"
 #include "graben/pipeline/stage_clock.h"
 
@@ -15,6 +16,8 @@
 namespace graben {
 namespace {
 
+constexpr long long kMostRealizations = 1000;
+
 OptionParser parser() {
   OptionParser p("graben_reconstruct", "Turns picks on a horizon and the faults that cut it into the faulted horizon: one triangle mesh piece on each "
                                        "side of each fault, sealed to it.");
@@ -23,7 +26,8 @@ OptionParser parser() {
     .value("output", "SURFACE", "the whole faulted horizon; .ply .vtk .vtp .obj .stl or .ts")
     .value("results", "DIR", "folder for all that goes with it: pieces, picks, cut faults, report, pictures")
     .flag("gocad-properties", "write piece, pick_distance and extrapolated into --output .ts too (PVRTX lines, which some readers refuse)")
-    .value("report", "FILE.json", "the report alone");
+    .value("report", "FILE.json", "the report alone")
+    .value("realizations", "N", "make the surface N times more, 4 to 1000, from perturbed picks: the throw profiles get columns of how throws vary", "0");
   declarePictureOptions(p);
   declareUnitOptions(p);
   p.flag("progress", "say what is being done each second; on a terminal that is done anyway")
@@ -77,7 +81,13 @@ ReconstructionResult reconstruct(const OptionValues& values, HorizonInput input,
   options.deviation = values.has("results") || values.has("report") || values.has("require");
   options.progress = progress;
   try {
-    return HorizonReconstruction(options).reconstruct(std::move(input.picks.points), input.faults, input.dips);
+    ReconstructionResult result = HorizonReconstruction(options).reconstruct(std::move(input.picks.points), input.faults, input.dips);
+    RealizationOptions again;
+    again.job = options;
+    again.count = static_cast<std::size_t>(values.integer("realizations", 0, kMostRealizations));
+    if (again.count > 0)
+      realizeThrows(result, input.faults, input.dips, again);
+    return result;
   } catch (const Error& error) {
     throw Error("reconstructing " + values.text("horizon"), error.what());
   }
@@ -112,6 +122,8 @@ int run(const OptionValues& values) {
     throw UsageError("--output SURFACE is missing: where shall the horizon go?");
   const std::vector<Requirement> requirements = readRequirements(values);
   checkHorizonOutputs(values);
+  if (const long long count = values.integer("realizations", 0, kMostRealizations); count > 0 && (count < 4 || !values.has("results")))
+    throw UsageError("--realizations takes 4 to 1000, and needs --results DIR for what it finds");
   unitNames(values);
   pictureChoice(values);
   std::optional<ProgressDisplay> display(progressMode(values));

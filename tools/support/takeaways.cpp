@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace graben {
 
@@ -77,20 +78,26 @@ void writeProfiles(const fs::path& dir, const ReconstructionResult& result, cons
       return TableColumn{name, std::move(values)};
     };
     const auto in = [](const std::string& name, const std::string& unit) { return name + " [" + unit + "]"; };
-    writeTable((dir / (fileOfFault("profile", f, result.faults[f].name) + ".csv")).string(),
-               {column(in("along", units.xy), [](const ProfileRow& r) { return r.along; }),
-                column(in("x", units.xy), [](const ProfileRow& r) { return r.footwall.x(); }),
-                column(in("y", units.xy), [](const ProfileRow& r) { return r.footwall.y(); }),
-                column(in("footwall_z", units.z), [](const ProfileRow& r) { return r.footwall.z(); }),
-                column(in("hanging_wall_z", units.z), [](const ProfileRow& r) { return r.hanging_wall.z(); }),
-                column(in("throw", units.z), [](const ProfileRow& r) { return r.throw_; }),
-                column(in("throw_p10", units.z), [](const ProfileRow& r) { return r.throwAt(-kP90); }),
-                column(in("throw_p90", units.z), [](const ProfileRow& r) { return r.throwAt(kP90); }),
-                column(in("throw_sd", units.z), [](const ProfileRow& r) { return r.deviation; }),
-                column(in("heave", units.xy), [](const ProfileRow& r) { return r.heave; }),
-                column(in("dip_slip", units.xy), [](const ProfileRow& r) { return r.dip_slip; }),
-                column(in("fault_dip", "deg"), [](const ProfileRow& r) { return r.dip; }),
-                column(in("fault_dip_azimuth", "deg"), [](const ProfileRow& r) { return r.azimuth; })});
+    std::vector<TableColumn> columns{
+      column(in("along", units.xy), [](const ProfileRow& r) { return r.along; }),
+      column(in("x", units.xy), [](const ProfileRow& r) { return r.footwall.x(); }),
+      column(in("y", units.xy), [](const ProfileRow& r) { return r.footwall.y(); }),
+      column(in("footwall_z", units.z), [](const ProfileRow& r) { return r.footwall.z(); }),
+      column(in("hanging_wall_z", units.z), [](const ProfileRow& r) { return r.hanging_wall.z(); }),
+      column(in("throw", units.z), [](const ProfileRow& r) { return r.throw_; }),
+      column(in("throw_p10", units.z), [](const ProfileRow& r) { return r.throwAt(-kP90); }),
+      column(in("throw_p90", units.z), [](const ProfileRow& r) { return r.throwAt(kP90); }),
+      column(in("throw_sd", units.z), [](const ProfileRow& r) { return r.deviation; }),
+      column(in("heave", units.xy), [](const ProfileRow& r) { return r.heave; }),
+      column(in("dip_slip", units.xy), [](const ProfileRow& r) { return r.dip_slip; }),
+      column(in("fault_dip", "deg"), [](const ProfileRow& r) { return r.dip; }),
+      column(in("fault_dip_azimuth", "deg"), [](const ProfileRow& r) { return r.azimuth; })};
+    if (std::any_of(rows.begin(), rows.end(), [](const ProfileRow& r) { return std::isfinite(r.realized_deviation); })) {
+      columns.push_back(column(in("realized_p10", units.z), [](const ProfileRow& r) { return r.realized_low; }));
+      columns.push_back(column(in("realized_p90", units.z), [](const ProfileRow& r) { return r.realized_high; }));
+      columns.push_back(column(in("realized_sd", units.z), [](const ProfileRow& r) { return r.realized_deviation; }));
+    }
+    writeTable((dir / (fileOfFault("profile", f, result.faults[f].name) + ".csv")).string(), columns);
   }
 }
 

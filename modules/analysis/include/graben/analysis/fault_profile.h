@@ -18,6 +18,10 @@ struct ProfileRow {
   double heave = 0.0;
   double dip_slip = 0.0;
   double deviation = std::numeric_limits<double>::quiet_NaN(); ///< standard deviation of the throw; NaN where it is not known
+  /// Of throws of surfaces made from perturbed picks: P10, P90 and the standard deviation; NaN where there are none, see realizeThrows().
+  double realized_low = std::numeric_limits<double>::quiet_NaN();
+  double realized_high = std::numeric_limits<double>::quiet_NaN();
+  double realized_deviation = std::numeric_limits<double>::quiet_NaN();
   double dip = 0.0;     ///< of the fault halfway between the cutoffs, degrees from the horizontal
   double azimuth = 0.0; ///< of its dip, degrees clockwise from +y
 
