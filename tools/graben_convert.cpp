@@ -1,3 +1,4 @@
+#include "support/file_arguments.h"
 #include "support/horizon_options.h"
 #include "support/recognise.h"
 #include "support/run.h"
@@ -61,9 +62,9 @@ public:
 
   int run() {
     const PickSource source = splitPickSource(values_.positionals()[0]);
-    std::error_code error;
-    if (std::filesystem::equivalent(source.path, path_, error))
-      throw UsageError("OUTPUT is INPUT: " + path_);
+    std::vector<FileArgument> inputs = filesOf(values_, {"config"});
+    inputs.push_back({"INPUT", source.path});
+    checkOutputs({{"OUTPUT", path_}}, inputs);
     const Recognised input = recognise(source, readOptions(values_), contentKind(values_.choice("as", {"auto", "picks", "fault", "surface"})));
     notes_ = input.notes();
     if (!input.picks.empty())

@@ -17,8 +17,6 @@
 namespace graben {
 namespace {
 
-constexpr int kBadInput = 1;
-
 OptionParser parser() {
   OptionParser p("graben_info",
                  "Says of files what they are, how they are laid out, what they hold, and what graben_reconstruct would take them for.");
@@ -142,7 +140,7 @@ int inform(const OptionValues& values) {
     } catch (const Error& error) {
       std::fflush(stdout);
       std::fprintf(stderr, "graben_info: error: %s\n", error.what());
-      code = kBadInput;
+      code = kNotGood;
     }
   }
   return code;

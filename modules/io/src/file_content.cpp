@@ -1,5 +1,7 @@
 #include "file_content.h"
 
+#include "utf16.h"
+
 #include "graben/core/errors.h"
 
 #include <algorithm>
@@ -11,6 +13,7 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace graben {
 namespace {
@@ -66,10 +69,23 @@ FileContent::FileContent(const std::string& path) {
     if (mapping != MAP_FAILED) {
       mapping_ = mapping;
       bytes_ = {static_cast<const char*>(mapping), size};
+      takeUtf16();
       return;
     }
   }
   copy_ = readAll(file.value, path);
+  bytes_ = copy_;
+  takeUtf16();
+}
+
+/// Text in UTF-16 is held in UTF-8, so that no reader has to know.
+void FileContent::takeUtf16() {
+  if (!isUtf16(bytes_))
+    return;
+  std::string text = utf8FromUtf16(bytes_);
+  if (mapping_ != nullptr)
+    ::munmap(std::exchange(mapping_, nullptr), bytes_.size());
+  copy_ = std::move(text);
   bytes_ = copy_;
 }
 
@@ -104,12 +120,10 @@ std::string_view textOf(const FileContent& content, const std::string& path, std
     text.remove_prefix(3);
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw ParseError(path, 0, "the file is empty");
-  if (text.substr(0, 2) == "\xFF\xFE" || text.substr(0, 2) == "\xFE\xFF")
-    throw ParseError(path, 1, "the file is UTF-16 text; save it as plain text or UTF-8");
   const std::string_view start = text.substr(0, 1 << 16);
   if (start.find('\0') != std::string_view::npos)
     throw ParseError(path, 0, "the file holds binary data, not text of a format known here");
-  if (start.find('\n') == std::string_view::npos && start.find('\r') != std::string_view::npos) {
+  if (start.find('\n') == std::string_view::npos && start.find('\r') != std::string_view::npos) { // old Mac
     storage = text;
     std::replace(storage.begin(), storage.end(), '\r', '\n');
     text = storage;

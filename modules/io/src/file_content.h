@@ -5,7 +5,7 @@
 
 namespace graben {
 
-/// A whole file in memory: mapped where that is possible, read otherwise (pipes). Lives as long as
+/// A whole file in memory: mapped where that is possible, read otherwise (pipes); text in UTF-16 becomes UTF-8. Lives as long as
 /// the views on it.
 class FileContent {
 public:
@@ -24,6 +24,7 @@ public:
   void release(std::string_view part) const;
 
 private:
+  void takeUtf16();
   bool holds(std::string_view part) const;
 
   std::string_view bytes_;
@@ -33,7 +34,7 @@ private:
 
 /// The file's text without byte order mark, with \n or \r\n line ends; \a storage holds a copy
 /// where one is needed.
-/// \throw ParseError if the file is empty, UTF-16 or binary
+/// \throw ParseError if the file is empty or binary
 std::string_view textOf(const FileContent& content, const std::string& path, std::string& storage);
 
 /// The file's name without folder and extension.

@@ -100,7 +100,7 @@ PickSet readPicks(const std::string& path, const ReadOptions& options) {
   NullRules nulls{format == FileFormat::Text, options.nulls, options.threads, options.recognise_nulls};
   nulls.values.insert(nulls.values.end(), picks.header_nulls.begin(), picks.header_nulls.end());
   dropNoData(picks, nulls);
-  if (picks.points.empty())
+  if (picks.points.empty() && !options.allow_empty)
     throw ParseError(path, 0, "is no point cloud: no row holds data");
   judgeDirection(picks);
   return picks;

@@ -113,6 +113,7 @@ private:
   void selectPoints();
   void selectFaces();
   std::string header() const;
+  std::string camera() const;
   const std::uint8_t* point(std::size_t i) const;
   void appendBinary(std::string& row, const std::uint8_t* point) const;
   void appendText(std::string& row, const std::uint8_t* point) const;
@@ -233,16 +234,58 @@ void PlyCloudWriter::selectFaces() {
   report_.dropped_faces = options_.faces.size() - faces_.size();
 }
 
+template <typename Number>
+void appendShortest(std::string& row, Number value) {
+  std::array<char, 64> digits{};
+  const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  row.append(digits.data(), result.ptr);
+}
+
 std::string PlyCloudWriter::header() const {
   std::string text = "ply\nformat ";
   text += options_.ascii ? "ascii" : "binary_little_endian";
-  text += " 1.0\nelement vertex " + std::to_string(points_.size()) + "\n";
+  text += " 1.0\n";
+  if (cloud_.height > 1 && report_.dropped_points == 0 && options_.faces.empty())
+    text += "obj_info num_cols " + std::to_string(cloud_.width) + "\nobj_info num_rows " + std::to_string(cloud_.height) + "\n";
+  text += "element vertex " + std::to_string(points_.size()) + "\n";
   for (const Property& p : properties_)
     text += std::string("property ") + plyName(p.written) + " " + p.name + "\n";
   if (!options_.faces.empty())
     text += "element face " + std::to_string(faces_.size()) +
             "\nproperty list uchar int vertex_indices\n";
+  if (options_.viewpoint) {
+    text += "element camera 1\n";
+    for (const char* name : {"view_px", "view_py", "view_pz", "x_axisx", "x_axisy", "x_axisz", "y_axisx", "y_axisy", "y_axisz", "z_axisx", "z_axisy", "z_axisz",
+                             "focal", "scalex", "scaley", "centerx", "centery"})
+      text += std::string("property float ") + name + "\n";
+    text += "property int viewportx\nproperty int viewporty\nproperty float k1\nproperty float k2\n";
+  }
   return text + "end_header\n";
+}
+
+/// The camera's place, axes and what PCL puts for a lens that is not known.
+std::string PlyCloudWriter::camera() const {
+  std::vector<float> values;
+  const Vector3 place = options_.viewpoint->position + options_.origin.value_or(Vector3::Zero());
+  const Eigen::Matrix3d axes = options_.viewpoint->orientation.toRotationMatrix();
+  for (const double coordinate : place)
+    values.push_back(static_cast<float>(coordinate));
+  for (Eigen::Index axis = 0; axis < 3; ++axis)
+    for (Eigen::Index k = 0; k < 3; ++k)
+      values.push_back(static_cast<float>(axes(k, axis)));
+  values.insert(values.end(), {0.0F, 0.0F, 0.0F, 0.0F, 0.0F});
+  const std::array<std::int32_t, 2> viewport{static_cast<std::int32_t>(cloud_.width), static_cast<std::int32_t>(cloud_.height)};
+  std::string text;
+  if (options_.ascii) {
+    for (const float value : values) {
+      appendShortest(text, value);
+      text += ' ';
+    }
+    return text + std::to_string(viewport[0]) + " " + std::to_string(viewport[1]) + " 0 0\n";
+  }
+  text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
+  text.append(reinterpret_cast<const char*>(viewport.data()), sizeof(viewport));
+  return text.append(2 * sizeof(float), '\0');
 }
 
 void PlyCloudWriter::appendBinary(std::string& row, const std::uint8_t* point) const {
@@ -255,13 +298,6 @@ void PlyCloudWriter::appendBinary(std::string& row, const std::uint8_t* point) c
       row.append(reinterpret_cast<const char*>(bytes), sizeOfType(p.type));
     }
   }
-}
-
-template <typename Number>
-void appendShortest(std::string& row, Number value) {
-  std::array<char, 64> digits{};
-  const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  row.append(digits.data(), result.ptr);
 }
 
 void PlyCloudWriter::appendText(std::string& row, const std::uint8_t* point) const {
@@ -301,6 +337,8 @@ PlyCloudReport PlyCloudWriter::write() {
       file.writeRaw(face);
     }
   }
+  if (options_.viewpoint)
+    file.write(camera());
   file.commit();
   return report_;
 }

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <pcl/io/ply_io.h>
+
 #include <sys/wait.h>
 
 #include <cmath>
@@ -125,6 +127,54 @@ TEST_F(Pcd2Ply, WrongUseIsExitCode2) {
   EXPECT_EQ(run("in.pcd"), 2);
   EXPECT_EQ(run("in.pcd out.ply --use_camera"), 2);
   EXPECT_EQ(run("--help"), 0);
+}
+
+TEST_F(Pcd2Ply, KeepsViewpointAndRows) {
+  const std::string pcd = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 3\nHEIGHT 2\nVIEWPOINT 1 2 3 0.5 0.5 0.5 0.5\nPOINTS 6\n"
+                          "DATA ascii\n1 2 3\n4 5 6\n7 8 9\n1 1 1\n2 2 2\nnan nan nan\n";
+  write("rows.pcd", pcd);
+  for (const char* form : {"--ascii", "--binary"}) {
+    ASSERT_EQ(run(std::string("rows.pcd rows.ply ") + form), 0) << content("said");
+    pcl::PCLPointCloud2 cloud;
+    Eigen::Vector4f origin;
+    Eigen::Quaternionf orientation;
+    int version = 0;
+    ASSERT_EQ(pcl::PLYReader().read(path("rows.ply"), cloud, origin, orientation, version), 0) << form;
+    EXPECT_EQ(cloud.width, 3U);
+    EXPECT_EQ(cloud.height, 2U);
+    EXPECT_THAT(content("rows.ply"), HasSubstr("element camera 1\nproperty float view_px\n"));
+  }
+  ASSERT_EQ(run("rows.pcd rows.ply --ascii"), 0);
+  EXPECT_THAT(content("rows.ply"), HasSubstr("\n1 2 3 0 1 0 0 0 1 1 0 0 0 0 0 0 0 3 2 0 0\n")); // place, axes, lens, size
+  ASSERT_EQ(run("rows.pcd rows.ply --drop-nan --ascii"), 0);
+  EXPECT_THAT(content("rows.ply"), Not(HasSubstr("num_cols")));
+}
+
+TEST_F(Pcd2Ply, TakesCloudsWithoutPositions) {
+  const std::string head = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\n";
+  write("none.pcd", head + "WIDTH 0\nHEIGHT 1\nPOINTS 0\nDATA ascii\n");
+  write("nan.pcd", head + "WIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA ascii\nnan nan nan\nnan nan nan\n");
+  ASSERT_EQ(run("none.pcd out.ply --ascii"), 0) << content("said");
+  EXPECT_EQ(content("out.ply"), "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n");
+  ASSERT_EQ(run("nan.pcd out.ply --ascii"), 0) << content("said");
+  EXPECT_THAT(content("out.ply"), HasSubstr("element vertex 2\n"));
+  ASSERT_EQ(run("nan.pcd out.ply --ascii --drop-nan"), 0) << content("said");
+  EXPECT_THAT(content("out.ply"), HasSubstr("element vertex 0\n"));
+}
+
+TEST_F(Pcd2Ply, KnowsStandardOutputAndPclsFormat) {
+  ASSERT_EQ(run("in.pcd text.ply --ascii"), 0);
+  ASSERT_EQ(run("in.pcd - --ascii --quiet"), 0);
+  EXPECT_EQ(content("said"), content("text.ply"));
+  ASSERT_EQ(run("-format 0 in.pcd zero.ply"), 0) << content("said");
+  EXPECT_EQ(content("zero.ply"), content("text.ply"));
+  ASSERT_EQ(run("-format 1 in.pcd one.ply"), 0);
+  ASSERT_EQ(run("in.pcd binary.ply"), 0);
+  EXPECT_EQ(content("one.ply"), content("binary.ply"));
+  EXPECT_EQ(run("-format 2 in.pcd two.ply"), 2);
+  EXPECT_EQ(run("in.pcd out.obj"), 2);
+  EXPECT_THAT(content("said"), HasSubstr(".ply"));
+  EXPECT_FALSE(fs::exists(path("out.obj")));
 }
 
 TEST_F(Pcd2Ply, MeshAddsFacesAndKeepsFields) {

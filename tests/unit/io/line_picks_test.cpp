@@ -36,6 +36,24 @@ TEST(LinePicks, ReadsCharismaHorizons) {
   EXPECT_THAT(readFailure("INLINE :  784 XLINE :  604  461000.0 5931000.0\n"), HasSubstr("picks.dat:1: "));
 }
 
+std::string inUtf16(const std::string& ascii, bool big_endian, bool mark) {
+  std::string bytes = !mark ? "" : big_endian ? "\xFE\xFF" : "\xFF\xFE";
+  for (const char c : ascii)
+    bytes += big_endian ? std::string{'\0', c} : std::string{c, '\0'};
+  return bytes;
+}
+
+TEST(LinePicks, AnyEncodingAndLineEnds) {
+  const std::string text = "X,Y,Z\r\n461000,5931000,-1800.5\r\n461025,5931000,-1801\r\n";
+  for (const bool big : {false, true})
+    for (const bool mark : {false, true})
+      EXPECT_EQ(readText(inUtf16(text, big, mark), "a.csv").points, two);
+  EXPECT_EQ(readText("\xEF\xBB\xBF" + text, "a.csv").points, two);
+  EXPECT_EQ(readText("X,Y,Z\r461000,5931000,-1800.5\r461025,5931000,-1801\r", "a.csv").points, two);
+  EXPECT_EQ(readText("4.61D+05 5.931d6 -1800.5\n461025. +5.931E+06 -1801.\n").points, two);
+  EXPECT_EQ(readText(inUtf16("GOCAD VSet 1\nVRTX 1 461000 5931000 -1800.5\nVRTX 2 461025 5931000 -1801\nEND\n", false, true), "a.vs").points, two);
+}
+
 TEST(LinePicks, GocadSetsOfSeveralHorizonsAreToldApart) {
   const auto set = [](const std::string& name, const std::string& z) {
     return "GOCAD VSet 1\nHEADER {\nname:" + name + "\n}\nAXIS_UNIT \"m\" \"m\" \"ft\"\nZPOSITIVE Depth\nVRTX 1 1 2 " + z + "\nEND\n";

@@ -34,6 +34,8 @@ struct ReadOptions {
   std::vector<double> nulls;
   /// Whether customary codes and values repeated very often are recognised as null where they lie far from all other z.
   bool recognise_nulls = true;
+  /// Whether a file that holds no point with a position is none.
+  bool allow_empty = false;
 };
 
 /// Reads the picks of a horizon.

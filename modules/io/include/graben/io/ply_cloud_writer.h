@@ -2,6 +2,8 @@
 
 #include "graben/core/types.h"
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -13,6 +15,14 @@ struct PCLPointCloud2;
 
 namespace graben {
 
+/// Where a cloud was taken from, as VIEWPOINT of a PCD.
+struct PlyViewpoint {
+  Vector3 position = Vector3::Zero();
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+
+  bool isIdentity() const { return position.isZero(0.0) && orientation.w() == 1.0 && orientation.vec().isZero(0.0); }
+};
+
 /// How a cloud is written as PLY.
 struct PlyCloudOptions {
   bool ascii = false;    ///< text instead of binary little endian
@@ -20,6 +30,8 @@ struct PlyCloudOptions {
   /// Added to x, y and z in double precision; they are written as double then. Without it they keep
   /// their type.
   std::optional<Vector3> origin;
+  /// Written as element camera, in the properties that PCL's writer uses; unset: no such element.
+  std::optional<PlyViewpoint> viewpoint;
   std::vector<Triangle> faces; ///< triangles over the cloud's points; empty: no face element
 };
 
@@ -33,11 +45,10 @@ struct PlyCloudReport {
 
 /// Writes a PCL cloud as PLY with all its fields, each in its own type.
 ///
-/// normal_x normal_y normal_z become nx ny nz, packed rgb and rgba become uchar red green blue (and
-/// alpha), a field of several values becomes properties name_0, name_1, ..., 64 bit integers become
-/// double, other names stay. The header holds only format, elements and properties: no camera, no
-/// obj_info. A text number is the shortest that reads back as the same value. The file appears only
-/// when it is complete.
+/// normal_x normal_y normal_z become nx ny nz, packed rgb and rgba become uchar red green blue (and alpha), a field of several values
+/// becomes properties name_0, name_1, ..., 64 bit integers become double, other names stay. The header holds only format, elements and
+/// properties; for a viewpoint also the element camera, and for an organized cloud none of whose points is left out obj_info num_cols and
+/// num_rows, as PCL reads them. A text number is the shortest that reads back as the same value. The file appears only when it is complete.
 /// \throw InvalidInputError if the cloud has no x, y or z, its size and fields contradict one
 ///   another, or a face names a point that does not exist
 /// \throw WriteError if the file cannot be written
