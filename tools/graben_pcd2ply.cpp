@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string_view>
 
 namespace graben {
@@ -33,6 +35,20 @@ OptionParser parser() {
   return p;
 }
 
+/// Whether the first line that is no comment is one of a PCD header, whatever the file is called.
+bool beginsAsPcd(const std::string& file) {
+  constexpr std::size_t kHead = 1 << 16;
+  std::string head(kHead, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), kHead);
+  std::istringstream lines(head.substr(0, static_cast<std::size_t>(in.gcount())));
+  std::string word;
+  for (std::string line; word.empty() && std::getline(lines, line);)
+    if (line.rfind('#', 0) != 0)
+      std::istringstream(line) >> word;
+  return word == "VERSION" || word == "FIELDS" || word == "COLUMNS";
+}
+
 struct PcdCloud {
   pcl::PCLPointCloud2 cloud;
   PlyViewpoint viewpoint;
@@ -40,6 +56,8 @@ struct PcdCloud {
 
 /// \throw IoError or ParseError if the file is not a whole PCD file
 PcdCloud readCloud(const std::string& file) {
+  if (std::filesystem::is_regular_file(file) && !beginsAsPcd(file)) // PCL's reader may crash on such a file
+    throw IoError(file, "is no PCD file: it does not begin with a PCD header; graben_convert reads other formats");
   ReadOptions checking;
   checking.allow_empty = true;
   checking.recognise_nulls = false;

@@ -34,11 +34,19 @@ void waitForSignal(const std::string& tool, const sigset_t& signals) {
   ::_exit(kInterrupted + signal);
 }
 
+/// Input files are mapped: where one is cut short meanwhile, its missing pages end the program. Only calls that are safe in a signal handler.
+void endForCutFile(int) {
+  static const char message[] = "error: an input file was cut short while it was read; copy it and try again\n";
+  static_cast<void>(!::write(STDERR_FILENO, message, sizeof(message) - 1));
+  ::_exit(kNotGood);
+}
+
 } // namespace
 
 void handleInterruptions(const std::string& tool) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGBUS, endForCutFile);
   const sigset_t signals = endingSignals();
   if (pthread_sigmask(SIG_BLOCK, &signals, nullptr) == 0)
     std::thread(waitForSignal, tool, signals).detach();

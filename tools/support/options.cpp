@@ -208,6 +208,8 @@ void OptionParser::readConfig(const std::string& file, OptionValues& into) const
     throw IoError(file, "cannot open the configuration file");
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
+    if (number == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0)
+      line.erase(0, 3); // byte order mark
     line = trimmed(line);
     if (line.empty() || line[0] == '#')
       continue;

@@ -240,7 +240,7 @@ std::vector<std::size_t> shortestPath(const std::vector<FaultStick>& sticks) {
                     nearestNeighbourPath(ends[1], distances)}) {
     improve(path, distances);
     const double length = pathLength(path, distances);
-    if (length < best_length * (1.0 - 1e-12)) {
+    if (best.empty() || length < best_length * (1.0 - 1e-12)) {
       best_length = length;
       best = std::move(path);
     }

@@ -89,8 +89,12 @@ std::size_t vectorsTo(const double* place, const double* const* points, const st
   const double px = place[0], py = place[1], pz = place[2];
   const double scale = limit > SMALLEST ? (NO_GRADE - 1) / limit : 0.0;
   FourNumbers graded = {};
+  std::uint32_t last[LANES] = {}; // the numbers after the count are stale
+  for (std::size_t i = count / LANES * LANES; i < count; ++i)
+    last[i % LANES] = numbers[i];
   for (std::size_t i = 0; i < count; i += LANES) {
-    const std::uint32_t a = numbers[i], b = numbers[i + 1], c = numbers[i + 2], d = numbers[i + 3];
+    const std::uint32_t* n = i + LANES <= count ? numbers + i : last;
+    const std::uint32_t a = n[0], b = n[1], c = n[2], d = n[3];
     const Lanes dx = Lanes{x[a], x[b], x[c], x[d]} - px, dy = Lanes{y[a], y[b], y[c], y[d]} - py, dz = Lanes{z[a], z[b], z[c], z[d]} - pz;
     const Lanes length = dx * dx + dy * dy + dz * dz, squared = length > 0.0 ? length : INFINITE + Lanes{};
     *reinterpret_cast<LanesInMemory*>(out.x + i) = dx;

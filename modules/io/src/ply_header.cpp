@@ -73,6 +73,9 @@ void PlyHeaderParser::parseElement() {
   std::int64_t count = 0;
   if (words_.size() < 3 || !parseInteger(words_[2], count) || count < 0)
     fail("a PLY element needs a name and a count");
+  for (const PlyElement& element : header_.elements)
+    if (element.name == words_[1])
+      fail("a second PLY element '" + std::string(words_[1].substr(0, 60)) + "'; each may be there once");
   header_.elements.push_back({std::string(words_[1]), static_cast<std::uint64_t>(count), {}});
 }
 
@@ -104,6 +107,8 @@ void PlyHeaderParser::checkCounts() const {
       const std::size_t binary = p.is_list ? sizeOf(p.count_type) : sizeOf(p.type);
       smallest += header_.encoding == PlyEncoding::Ascii ? 2 : binary;
     }
+    if (element.properties.empty() && element.count > 0)
+      throw ParseError(path_, 0, "element " + element.name + " of the PLY header has no properties");
     // The last number of an ascii file may lack its line end.
     if (smallest > 0 && element.count > (available + 1) / smallest)
       throw ParseError(path_, 0,

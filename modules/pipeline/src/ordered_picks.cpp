@@ -1,5 +1,7 @@
 #include "ordered_picks.h"
 
+#include "repeated_picks.h"
+
 #include "graben/core/threads.h"
 #include "graben/features/neighbor_grid.h"
 
@@ -28,6 +30,10 @@ OrderedPicks orderPicks(Points picks, const std::vector<DipMeasurement>& dips, c
   result.picks = picks.size();
   result.points = std::move(picks);
   parallelFor(result.points.size(), kGrain, threads, [&](std::size_t i) { result.points[i] = frame.toLocal(result.points[i]); });
+  report.picks_repeated = dropRepeated(result.points);
+  if (report.picks_repeated > 0)
+    report.notes.push_back(std::to_string(report.picks_repeated) + " of " + std::to_string(result.picks) +
+                           " picks lie exactly where another one is and were left out: each place counts once.");
   std::vector<std::size_t> used;
   for (std::size_t d = 0; d < dips.size(); ++d)
     if (usable(dips[d])) {

@@ -116,7 +116,7 @@ void ReconstructionJob::toLocalFrame(Points picks, const std::vector<DipMeasurem
   picks_ = orderPicks(std::move(picks), dips, result_.frame, options_.threads, result_.report);
   grid_ = NeighborGrid(picks_.points, std::exchange(picks_.keys, nullptr), options_.threads);
   result_.report.picks = picks_.picks;
-  result_.report.picks_not_finite = picks_.points.size() - grid_.size();
+  result_.report.picks_not_finite = picks_.points.size() - grid_.size() - result_.report.picks_repeated;
 }
 
 /// The mean distance of the picks; along lines that of the points that stand for them.

@@ -115,7 +115,7 @@ Json reportTree(const ReconstructionReport& r, bool with_timings) {
   j["schema_version"] = kReportSchemaVersion;
   j["complete"] = true;
   j["figures"] = figures(r);
-  j["picks"] = {{"count", r.picks}, {"not_finite", r.picks_not_finite}, {"wrong_side", r.wrong_side_picks},
+  j["picks"] = {{"count", r.picks}, {"not_finite", r.picks_not_finite}, {"repeated", r.picks_repeated}, {"wrong_side", r.wrong_side_picks},
                 {"smeared", r.smeared_picks}, {"at_faults", r.picks_at_faults}, {"strays", r.stray_picks}};
   j["dip_measurements"] = {{"count", r.measurements}, {"not_usable", r.measurements_not_usable}, {"set_aside", r.measurements_set_aside}};
   j["layout"] = json(r.layout);

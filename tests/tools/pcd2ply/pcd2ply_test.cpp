@@ -216,5 +216,14 @@ TEST_F(Pcd2Ply, NeverWritesOverItsInput) {
   EXPECT_EQ(content("in.pcd"), kCloud);
 }
 
+TEST_F(Pcd2Ply, RefusesOtherFormatsCalledPcd) {
+  write("ply.pcd", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n");
+  write("rows.pcd", "1 2 3\n4 5 6\n7 8 10\n");
+  for (const char* file : {"ply.pcd", "rows.pcd"}) {
+    EXPECT_EQ(run(std::string(file) + " out.ply"), 1) << file;
+    EXPECT_THAT(content("said"), HasSubstr("is no PCD file"));
+  }
+}
+
 } // namespace
 } // namespace graben

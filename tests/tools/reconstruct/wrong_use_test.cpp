@@ -141,7 +141,11 @@ TEST_F(ReconstructWrongUse, WindowsLineEndsAndCommasMakeNoDifference) {
 }
 
 TEST_F(ReconstructWrongUse, DuplicatePicksGiveASoundSurface) {
-  write("twice.xyz", content("picks.xyz") + content("picks.xyz"));
+  std::string many;
+  for (int i = 0; i < 200; ++i)
+    many += content("picks.xyz");
+  write("twice.xyz", many);
+  EXPECT_THAT(run("reconstruct", "--horizon twice.xyz --output top.ply").errors, HasSubstr("79600 of 80000 picks lie exactly where another one is"));
   const test::Outcome outcome = run("reconstruct", "--horizon twice.xyz --output top.ply --quiet");
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors, "");

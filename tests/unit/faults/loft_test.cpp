@@ -176,6 +176,18 @@ TEST(LoftInput, DropsRepeatedAndBadPointsAndClosedSticks) {
   EXPECT_THROW(FaultSurface::loft("same", {clean[0], clean[0]}), InvalidInputError);
 }
 
+TEST(LoftInput, CoordinatesOfAnySizeAreLoftedOrRefused) {
+  for (const double far : {1e100, 1e160, 1e200, 1e300}) {
+    std::vector<FaultStick> sticks;
+    for (int i = 0; i < 4; ++i)
+      sticks.push_back({{{100.0 * i, 0.0, 0.0}, {100.0 * i, i == 2 ? far : 100.0, 300.0}}});
+    try {
+      FaultSurface::loft("far", sticks);
+    } catch (const Error&) {
+    }
+  }
+}
+
 TEST(LoftInput, SticksDrawnOnTimeSlicesRunTheSameWay) {
   for (const bool along_x : {false, true}) {
     std::vector<FaultStick> slices;

@@ -172,5 +172,16 @@ TEST(PlyReader, readsBigEndianPointsWithNormals) {
   EXPECT_EQ(picks.normals, (Points{{0, 0, 1}}));
 }
 
+TEST(PlyReader, refusesElementsThatAreThereTwiceOrHaveNoProperties) {
+  const TempFolder folder;
+  const std::string begin = "ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\nproperty double y\nproperty double z\n";
+  const std::string twice = folder.write("twice.ply", begin + "element vertex 1\nproperty double x\nend_header\n1 2 3\n4\n");
+  const std::string none = folder.write("none.ply", begin + "element face 1000000000000000000\nend_header\n1 2 3\n");
+  EXPECT_THROW(readPicks(twice), ParseError);
+  EXPECT_THROW(readMesh(twice), ParseError);
+  EXPECT_THROW(readPicks(none), ParseError);
+  EXPECT_THROW(readMesh(none), ParseError);
+}
+
 } // namespace
 } // namespace graben

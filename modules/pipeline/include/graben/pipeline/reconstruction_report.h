@@ -94,6 +94,7 @@ struct ShadowReport {
 struct ReconstructionReport {
   std::size_t picks = 0;
   std::size_t picks_not_finite = 0;
+  std::size_t picks_repeated = 0; ///< exactly where an earlier one is, left out
   std::size_t wrong_side_picks = 0;      ///< picks set aside because they lie on the wrong side of a fault
   std::size_t smeared_picks = 0;         ///< picks set aside because they lie between the two sheets at a fault
   std::size_t picks_at_faults = 0;       ///< picks set aside because they lie within the clearance of a fault
