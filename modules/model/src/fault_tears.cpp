@@ -167,8 +167,7 @@ private:
     for (std::size_t i = 0; i < cells.size(); ++i) {
       side[i] = cellSign(near.cells[i], height);
       if (side[i] == 0)
-        side[i] = faults_.side(fault, 0.25 * (near.position(near.cells[i][0]) + near.position(near.cells[i][1]) + near.position(near.cells[i][2]) +
-                                              near.position(near.cells[i][3]))) < 0 ? -1 : 1;
+        side[i] = faults_.side(fault, middleOf(near.cells[i])) < 0 ? -1 : 1;
     }
     const CellNeighbors neighbors(near);
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -184,6 +183,10 @@ private:
         mesh_.marks[cells[i]][static_cast<std::size_t>(f)] = faultMark(fault, false);
         mesh_.marks[other][static_cast<std::size_t>(behind % 4)] = faultMark(fault, true);
       }
+  }
+
+  Vector3 middleOf(const Tetrahedron& cell) const {
+    return 0.25 * (mesh_.position(cell[0]) + mesh_.position(cell[1]) + mesh_.position(cell[2]) + mesh_.position(cell[3]));
   }
 
   static bool isOnFault(const Tetrahedron& cell, int face, const std::vector<double>& inside) {
