@@ -116,8 +116,15 @@ std::size_t joinSlivers(LabelledCells& cells, double limit) {
   }
   if (joined == 0)
     return 0;
-  for (std::size_t c = 0; c < cells.block.size(); ++c)
+  for (std::size_t c = 0; c < cells.block.size(); ++c) {
     cells.layer[c] = layer[static_cast<std::size_t>(root(cells.block[c]))];
+    for (int f = 0; f < 4; ++f) { // no fault lies any longer between what was joined
+      const Index behind = neighbors.behind(c, f);
+      const Index other = behind < 0 ? cells.block[c] : cells.block[static_cast<std::size_t>(behind / 4)];
+      if (other != cells.block[c] && root(other) == root(cells.block[c]))
+        cells.mesh.marks[c][static_cast<std::size_t>(f)] = -1;
+    }
+  }
   labelBlocks(cells);
   return joined;
 }
