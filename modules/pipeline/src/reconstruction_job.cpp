@@ -41,7 +41,7 @@ std::size_t neighborsFor(const Sampling& sampling, double delta, double mean_dis
 }
 
 constexpr std::size_t kNeighborsOfLines = 30; // reach the next lines: those of one line alone have no plane
-constexpr double kVoxelOfLines = 0.25; // line distances
+constexpr double kVoxelOfLines = 0.167; // line distances
 constexpr double kRhoOfLines = 0.75;   // line distances
 
 

@@ -73,6 +73,7 @@ private:
   void cut(SheetMesh sheets);
   void fit();
   void refineLocally();
+  void bendBetweenLines();
   void tidy();
   std::size_t smallestPiece() const;
   SignedDistanceOptions distanceOptions() const;

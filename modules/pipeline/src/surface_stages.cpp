@@ -9,6 +9,7 @@
 #include "graben/surface/defaults.h"
 #include "graben/surface/fault_cut.h"
 #include "graben/surface/local_fit.h"
+#include "graben/surface/plate_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,6 +122,10 @@ void ReconstructionJob::fit() {
     zone.zone_width = std::min(zone.zone_width, kBesideFaults * used.voxel_size);
     zone.passes = 1;
   }
+  if (local_fit && alongLines()) {
+    bendBetweenLines();
+    return;
+  }
   if (!options_.skip.zone_fit)
     fitZone(cut_, *corners_, grid_, planes_, faults_, zone);
   if (local_fit)
@@ -139,6 +144,15 @@ void ReconstructionJob::refineLocally() {
   refinement.max_step = used.voxel_size;
   refinement.threads = options_.threads;
   refine(cut_, *corners_, local, refinement);
+}
+
+/// Between lines far apart no polynomial does: the surface bends like a plate that the picks hold.
+void ReconstructionJob::bendBetweenLines() {
+  PlateFitOptions o;
+  o.gap = given_->layout.line_distance;
+  o.threads = options_.threads;
+  const PlateFitResult plate = fitPlate(cut_, *corners_, picks_.points, faults_, o);
+  result_.report.layout.bending_length = plate.length;
 }
 
 /// A few triangles, mostly in the corners between faults, may be folded over or still reach over a fault after the fit; none may stay.

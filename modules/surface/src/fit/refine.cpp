@@ -4,6 +4,7 @@
 #include "graben/surface/viewpoints.h"
 
 #include "local/box_around.h"
+#include "steps_on_faults.h"
 #include "surface_patches.h"
 #include "cut/tip_lines.h"
 #include "cut/vertex_moves.h"
@@ -17,23 +18,6 @@
 namespace graben {
 
 namespace {
-
-/// The step within the faults a vertex lies on that lifts it by \a offset along \a normal.
-Vector3 stepOnFaults(const FaultNetwork& faults, const std::array<Index, 2>& on, const Vector3& at, const Vector3& normal, double offset) {
-  const Vector3 first = faults.nearest(static_cast<std::size_t>(on[0]), at).normal;
-  Vector3 way = normal - normal.dot(first) * first;
-  if (on[1] >= 0) {
-    const Vector3 second = faults.nearest(static_cast<std::size_t>(on[1]), at).normal;
-    const Vector3 line = first.cross(second);
-    if (line.norm() > 0.05)
-      way = line * (line.dot(normal) > 0.0 ? 1.0 : -1.0);
-  }
-  const double length = way.norm();
-  if (length < 0.05)
-    return Vector3::Zero();
-  way /= length;
-  return offset / std::max(way.dot(normal), 0.2) * way;
-}
 
 /// Gives every vertex the way to move along: for that, means by the triangles' areas do.
 void setDirections(TriangleMesh& mesh, const VertexCorners& corners, unsigned threads) {
@@ -143,7 +127,7 @@ private:
     Vector3& normal = cut_.mesh.normals[static_cast<std::size_t>(vertex)];
     if (!e.valid)
       return Vector3::Zero();
-    Vector3 step = cut_.onFault(vertex) ? stepOnFaults(fit_.faults(), on(vertex), placeOf(vertex), normal, e.offset) : Vector3(e.offset * normal);
+    Vector3 step = cut_.onFault(vertex) ? detail::stepOnFaults(fit_.faults(), on(vertex), placeOf(vertex), normal, e.offset) : Vector3(e.offset * normal);
     const double length = step.norm();
     outcome = options_.max_step > 0.0 && length > options_.max_step ? kStopped : kMoved;
     if (outcome == kStopped)

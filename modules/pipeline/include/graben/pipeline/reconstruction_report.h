@@ -71,6 +71,7 @@ struct PickLayoutReport {
   double line_distance = 0.0; ///< from line to line, as a rule
   double share = 0.0;         ///< of the picks that lie on lines
   double noise = 0.0;         ///< standard deviation of the picks about their line
+  double bending_length = 0.0; ///< of the plate that the surface is between the lines, see fitPlate()
 };
 
 /// One side of a fault before which picks stop short, in x, y units.
