@@ -149,7 +149,8 @@ private:
     if (framed.frame.dip() < kLeastDip)
       throw InvalidInputError(stage_, "its " + std::to_string(sticks.size()) + " lines are level and lie so far apart that a surface through them would dip " +
                                         shortNumber(framed.frame.dip()) +
-                                        " degrees; they look like traces of several faults on a map. Say how these dip with --fault-dip DEG,AZIMUTH (90: vertical), or give each fault its own file with its sticks or its surface.");
+                                        " degrees; they look like traces of several faults on a map. Say how these dip with --fault-dip DEG,AZIMUTH (90: "
+                                        "vertical), or give each fault its own file with its sticks or its surface.");
   }
 
   void loftParts(const std::vector<FaultStick>& sticks, const std::vector<FaultStick>& given) {

@@ -35,7 +35,7 @@ ReconstructionResult HorizonReconstruction::reconstruct(Points picks, const std:
   return result;
 }
 
-ReconstructionResult HorizonReconstruction::reconstruct(Points picks, const PreparedFaults& faults, const std::vector<DipMeasurement>& dips) const {
+ReconstructionResult HorizonReconstruction::reconstructWith(const PreparedFaults& faults, Points picks, const std::vector<DipMeasurement>& dips) const {
   checkOptions(options_);
   ReconstructionResult result;
   ReconstructionJob(options_, result, &faults).run(std::move(picks), {}, dips);

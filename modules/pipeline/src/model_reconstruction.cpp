@@ -139,7 +139,7 @@ private:
     for (ModelHorizon& h : horizons_) {
       clock_.start("horizon " + h.name);
       try {
-        ReconstructionResult one = HorizonReconstruction(options).reconstruct(std::move(h.picks), prepared_);
+        ReconstructionResult one = HorizonReconstruction(options).reconstructWith(prepared_, std::move(h.picks));
         const double size = one.report.used.voxel_size;
         smallest = smallest > 0.0 ? std::min(smallest, size) : size;
         sigma = std::max(sigma, one.report.sampling.sigma);

@@ -98,7 +98,7 @@ public:
   ReconstructionResult reconstruct(Points picks, const std::vector<FaultGeometry>& faults = {}, const std::vector<DipMeasurement>& dips = {}) const;
 
   /// The same with faults that were made ready once for several horizons. z direction and scale are those of their frame.
-  ReconstructionResult reconstruct(Points picks, const PreparedFaults& faults, const std::vector<DipMeasurement>& dips = {}) const;
+  ReconstructionResult reconstructWith(const PreparedFaults& faults, Points picks, const std::vector<DipMeasurement>& dips = {}) const;
 
   const ReconstructionOptions& options() const { return options_; }
 
