@@ -74,7 +74,7 @@ void say(const ReconstructionResult& result) {
                 1e-6 * static_cast<double>(s.peak_bytes));
 }
 
-/// Errors name the file of the picks.
+/// Errors name the file of the picks, behind what was odd about the input, which may be why.
 ReconstructionResult reconstruct(const OptionValues& values, HorizonInput input, const ProgressCallback& progress) {
   ReconstructionOptions options = reconstructionOptions(values, input.picks.z_positive);
   options.keep_picks = values.has("results");
@@ -89,6 +89,8 @@ ReconstructionResult reconstruct(const OptionValues& values, HorizonInput input,
       realizeThrows(result, input.faults, input.dips, again);
     return result;
   } catch (const Error& error) {
+    for (const std::string& warning : input.warnings)
+      std::fprintf(stderr, "warning: %s\n", warning.c_str());
     throw Error("reconstructing " + values.text("horizon"), error.what());
   }
 }
@@ -135,7 +137,7 @@ int run(const OptionValues& values) {
   clock.stop();
   checkFaultResults(values, input.faults);
   std::vector<std::string> notes = std::move(input.notes);
-  const std::vector<std::string> warnings = std::move(input.warnings);
+  const std::vector<std::string> warnings = input.warnings;
   ReconstructionResult result = reconstruct(values, std::move(input), progress);
   result.report.warnings.insert(result.report.warnings.begin(), warnings.begin(), warnings.end());
   std::vector<StageTiming>& all = result.report.stages;

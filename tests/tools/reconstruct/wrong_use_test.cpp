@@ -130,6 +130,17 @@ TEST_F(ReconstructWrongUse, AFaultThatTouchesNothingIsAWarning) {
   EXPECT_EQ(content("top.ply"), content("without.ply"));
 }
 
+TEST_F(ReconstructWrongUse, WhatIsOddAboutTheInputIsSaidBeforeAnError) {
+  std::string picks = "X,Y,Z\n";
+  for (int i = 0; i < 400; ++i)
+    picks += std::to_string(50 * (i % 20)) + "," + std::to_string(50 * (i / 20)) + "," + std::to_string(-2.0 - 0.0001 * (i % 20)) + "\n";
+  write("km.csv", picks);
+  write("km.pol", "500 0 -1.7\n520 0 -2.3\n999 999 999\n500 500 -1.7\n520 500 -2.3\n999 999 999\n500 1000 -1.7\n520 1000 -2.3\n");
+  const test::Outcome outcome = run("reconstruct", "--horizon km.csv --fault km.pol --output top.ply");
+  EXPECT_THAT(outcome.errors, HasSubstr("warning: z spans"));
+  EXPECT_THAT(outcome.errors, HasSubstr("--z-scale"));
+}
+
 TEST_F(ReconstructWrongUse, WindowsLineEndsAndCommasMakeNoDifference) {
   std::string windows = "x,y,z\r\n";
   for (const char c : content("picks.xyz"))
