@@ -40,11 +40,12 @@ void checkTogether(const OptionValues& values, const std::vector<FaultInput>& fa
   input.warnings.insert(input.warnings.end(), found.warnings.begin(), found.warnings.end());
 }
 
-std::optional<double> faultSmoothing(const OptionValues& values) {
-  const std::string text = values.text("fault-smoothing");
+/// A distance, 0 for off, none for auto.
+std::optional<double> autoOr(const OptionValues& values, const std::string& option) {
+  const std::string text = values.text(option);
   if (text == "auto")
     return std::nullopt;
-  return text == "off" ? 0.0 : values.number("fault-smoothing", 0.0, kHuge);
+  return text == "off" ? 0.0 : values.number(option, 0.0, kHuge);
 }
 
 std::optional<TraceDip> faultDip(const OptionValues& values) {
@@ -122,6 +123,8 @@ void declareParameterOptions(OptionParser& parser) {
                                "nearest pick and whether that is beyond the data (default: as far as picks stop before it, up to a sixth of the "
                                "cloud's diagonal)")
     .value("clearance", "D", "picks nearer to a fault than this are left out: where a gridder has bridged it or a tracker smeared along it", "0")
+    .value("extend-faults", "D", "continue faults along dip: auto (to the horizon, where the picks have a step there), off, or a distance everywhere",
+           "auto")
     .value("fault-smoothing", "D", "how far the nodes of sticks lie off their fault (standard deviation): auto, off (all nodes lie in it) or a distance",
            "auto")
     .value("fault-dip", "DEG,AZIMUTH", "dip of faults given as level lines, traces on a map, and which way they dip, clockwise from north; 90: vertical")
@@ -181,7 +184,8 @@ ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositiv
   o.zone_width = values.number("zone-width", 0.0, kHuge);
   o.fault_reach = values.number("fault-reach", 0.0, kHuge);
   o.clearance = values.number("clearance", 0.0, kHuge);
-  o.fault_smoothing = faultSmoothing(values);
+  o.extend_faults = autoOr(values, "extend-faults");
+  o.fault_smoothing = autoOr(values, "fault-smoothing");
   o.fault_dip = faultDip(values);
   constexpr FitMode fits[] = {FitMode::Full, FitMode::Normal, FitMode::Off};
   o.fit = fits[values.choice("fit", {"full", "normal", "off"})];

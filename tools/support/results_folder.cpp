@@ -85,7 +85,8 @@ void writeThrows(const fs::path& dir, const ReconstructionResult& result) {
                 column("along", [](const ThrowSample& s) { return s.along; }),
                 column("throw", [](const ThrowSample& s) { return s.throw_; }),
                 column("heave", [](const ThrowSample& s) { return s.heave; }),
-                column("dip_slip", [](const ThrowSample& s) { return s.dip_slip; })});
+                column("dip_slip", [](const ThrowSample& s) { return s.dip_slip; }),
+                column("mark", [](const ThrowSample& s) { return static_cast<double>(s.mark); })});
   }
 }
 

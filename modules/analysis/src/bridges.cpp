@@ -63,13 +63,20 @@ public:
   BridgeSearch(const TriangleMesh& mesh, const VertexCorners& corners, const FaultNetwork& network, double tolerance, unsigned threads)
       : mesh_(mesh)
       , corners_(corners)
+      , network_(network)
       , tolerance_(tolerance)
       , part_(partNearFaults(mesh, network, tolerance, threads)) {
     for (std::size_t i = 0; i < network.size(); ++i) {
       faults_.emplace_back(network, i, tolerance);
-      std::vector<std::uint8_t>& on = on_fault_.emplace_back(part_.mesh.vertices.size());
-      parallelFor(on.size(), 256, threads, [&](std::size_t v) { on[v] = faults_[i].has(part_.mesh.vertices[v]) ? 1 : 0; });
+      on_fault_.emplace_back(part_.mesh.vertices.size());
     }
+    parallelFor(part_.mesh.vertices.size(), 256, threads, [&](std::size_t v) {
+      const Vector3& p = part_.mesh.vertices[v];
+      network.boxes().forEachIn({p.array() - tolerance, p.array() + tolerance}, [&](std::size_t i) {
+        on_fault_[i][v] = faults_[i].has(p) ? 1 : 0;
+        return true;
+      });
+    });
   }
 
   /// The triangles looked at, in rising order.
@@ -80,10 +87,7 @@ public:
     Bounds box = boundsOf(part_.mesh, part_.mesh.triangles[t]);
     box.low.array() -= tolerance_;
     box.high.array() += tolerance_;
-    for (std::size_t f = 0; f < faults_.size(); ++f)
-      if (faults_[f].network.bvh(f).mayTouch(box) && joinsSides(t, f))
-        return true;
-    return false;
+    return !network_.boxes().forEachIn(box, [&](std::size_t f) { return !(network_.bvh(f).mayTouch(box) && joinsSides(t, f)); });
   }
 
 private:
@@ -118,6 +122,7 @@ private:
 
   const TriangleMesh& mesh_;
   const VertexCorners& corners_;
+  const FaultNetwork& network_;
   double tolerance_;
   MeshPart part_;
   std::vector<Fault> faults_;

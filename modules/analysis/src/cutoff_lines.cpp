@@ -68,8 +68,12 @@ CutoffLine follow(const TriangleMesh& mesh, FaultSide where, BorderEdges& edges,
     edge->second.second = true;
     line.vertices.push_back(edge->second.first);
   }
-  for (const Index v : line.vertices)
+  const auto distances = mesh.scalars.find("pick_distance");
+  for (const Index v : line.vertices) {
     line.points.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
+    if (distances != mesh.scalars.end())
+      line.pick_distance.push_back(distances->second[static_cast<std::size_t>(v)]);
+  }
   return line;
 }
 

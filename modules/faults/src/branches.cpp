@@ -2,6 +2,7 @@
 
 #include "joint.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace graben::detail {
@@ -11,9 +12,21 @@ std::vector<FaultBranch> joinBranches(std::vector<FaultSurface>& faults, double 
   given.reserve(faults.size());
   for (const FaultSurface& fault : faults)
     given.emplace_back(fault.mesh);
+  std::vector<Bounds> boxes;
+  for (const SignedSurface& fault : given)
+    boxes.push_back(fault.bvh().bounds());
+  const FaultBoxes tree(boxes);
   std::vector<FaultBranch> branches;
-  for (std::size_t i = 0; i < faults.size(); ++i)
-    for (std::size_t j = 0; j < faults.size(); ++j) {
+  std::vector<std::size_t> near;
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    const auto gather = [&](Bounds around) {
+      around.low.array() -= reach;
+      around.high.array() += reach;
+      tree.gather(around, near);
+    };
+    gather(boxes[i]);
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      const std::size_t j = near[k];
       if (i == j)
         continue;
       Joint joint(faults[i], given[j], reach);
@@ -26,7 +39,10 @@ std::vector<FaultBranch> joinBranches(std::vector<FaultSurface>& faults, double 
         branch.main_fault = static_cast<Index>(j);
         branches.push_back(branch);
       }
+      gather(boundsOf(faults[i].mesh.vertices)); // it has grown
+      k = static_cast<std::size_t>(std::upper_bound(near.begin(), near.end(), j) - near.begin()) - 1;
     }
+  }
   return branches;
 }
 

@@ -16,14 +16,18 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Extends one run with directions smoothed over \a sigma.
+/// Extends one run with directions smoothed over \a sigma. \param[in] wanted of its vertices; empty: all
 /// \return the number of triangles that had to be left out
-std::size_t extendRun(TriangleMesh& mesh, const detail::BorderRun& run,
-                      const Points& edge_directions, double distance, double sigma) {
+std::size_t extendRun(TriangleMesh& mesh, const detail::BorderRun& run, const Points& edge_directions, double distance, double sigma,
+                      const std::vector<bool>& wanted) {
   const Points directions = detail::directionsAlong(mesh, run, edge_directions, sigma);
   std::vector<Index> inner = detail::verticesOf(mesh, run);
   std::vector<Index> outer;
   for (std::size_t i = 0; i < inner.size(); ++i) {
+    if (!wanted.empty() && !wanted[i]) {
+      outer.push_back(inner[i]);
+      continue;
+    }
     outer.push_back(static_cast<Index>(mesh.vertices.size()));
     mesh.vertices.push_back(mesh.vertices[static_cast<std::size_t>(inner[i])] +
                             distance * directions[i]);
@@ -39,14 +43,13 @@ std::size_t extendRun(TriangleMesh& mesh, const detail::BorderRun& run,
 }
 
 /// Extends one run, with directions as little smoothed as gives the fewest folds.
-void extendRun(TriangleMesh& mesh, const detail::BorderRun& run, const Points& edge_directions,
-               double distance) {
+void extendRun(TriangleMesh& mesh, const detail::BorderRun& run, const Points& edge_directions, double distance, const std::vector<bool>& wanted = {}) {
   const std::size_t vertices = mesh.vertices.size();
   const std::size_t triangles = mesh.triangles.size();
   double best_sigma = 0.0;
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
   for (const double factor : {0.5, 1.0, 2.0, 4.0, 8.0, kInfinity}) {
-    const std::size_t left_out = extendRun(mesh, run, edge_directions, distance, factor * distance);
+    const std::size_t left_out = extendRun(mesh, run, edge_directions, distance, factor * distance, wanted);
     if (left_out == 0)
       return;
     mesh.vertices.resize(vertices);
@@ -56,7 +59,7 @@ void extendRun(TriangleMesh& mesh, const detail::BorderRun& run, const Points& e
       best_sigma = factor * distance;
     }
   }
-  extendRun(mesh, run, edge_directions, distance, best_sigma);
+  extendRun(mesh, run, edge_directions, distance, best_sigma, wanted);
 }
 
 /// Tip lines that end at a corner go on with it.
@@ -93,6 +96,11 @@ FaultSurface startingFrom(const FaultSurface& fault, double distance) {
   return result;
 }
 
+/// How many of a run's vertices were continued.
+std::size_t extended(const std::vector<bool>& wanted, std::size_t all) {
+  return wanted.empty() ? all : static_cast<std::size_t>(std::count(wanted.begin(), wanted.end(), true));
+}
+
 Points pointsOf(const TriangleMesh& mesh, const std::vector<Index>& vertices) {
   Points points;
   for (const Index v : vertices)
@@ -102,7 +110,9 @@ Points pointsOf(const TriangleMesh& mesh, const std::vector<Index>& vertices) {
 
 } // namespace
 
-FaultSurface extendedAlongDip(const FaultSurface& fault, double distance) {
+FaultSurface extendedAlongDip(const FaultSurface& fault, double distance) { return extendedAlongDip(fault, distance, nullptr); }
+
+FaultSurface extendedAlongDip(const FaultSurface& fault, double distance, const WhereExtended& where) {
   FaultSurface result = startingFrom(fault, distance);
   if (distance == 0.0)
     return result;
@@ -115,14 +125,19 @@ FaultSurface extendedAlongDip(const FaultSurface& fault, double distance) {
       const Vector3 up = frames.at(h / 3).up;
       up_or_down.push_back(run.kind == detail::BorderKind::Top ? up : Vector3(-up));
     }
+    const std::vector<Index> inner = detail::verticesOf(fault.mesh, run);
+    std::vector<bool> wanted;
+    if (where)
+      wanted = where(pointsOf(fault.mesh, inner), detail::directionsAlong(fault.mesh, run, up_or_down, 0.5 * distance));
     const std::size_t first = result.mesh.vertices.size();
-    extendRun(result.mesh, run, up_or_down, distance);
+    extendRun(result.mesh, run, up_or_down, distance, wanted);
     if (run.closed)
       continue;
-    const std::vector<Index> inner = detail::verticesOf(fault.mesh, run);
-    for (const std::size_t i : {std::size_t{0}, inner.size() - 1})
-      extendTipLines(result.tip_lines, fault.mesh.vertices[static_cast<std::size_t>(inner[i])],
-                     result.mesh.vertices[first + i]);
+    if (wanted.empty() || wanted.front())
+      extendTipLines(result.tip_lines, fault.mesh.vertices[static_cast<std::size_t>(inner.front())], result.mesh.vertices[first]);
+    const std::size_t last = first + extended(wanted, inner.size()) - 1;
+    if (wanted.empty() || wanted.back())
+      extendTipLines(result.tip_lines, fault.mesh.vertices[static_cast<std::size_t>(inner.back())], result.mesh.vertices[last]);
   }
   removeUnreferencedVertices(result.mesh);
   return result;

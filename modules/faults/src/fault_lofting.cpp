@@ -7,12 +7,12 @@
 #include "sticks.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/short_number.h"
 #include "graben/mesh/adjacency.h"
 #include "graben/mesh/normals.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace graben {
 namespace {
@@ -25,12 +25,6 @@ constexpr double kLevel = 0.2;        // rise of a level stick against its lengt
 constexpr double kLeastDip = 20.0;    // degrees; level sticks whose surface dips less are traces on a map rather than cuts of one fault
 constexpr double kWander = 6.0;       // lengths of its box that a line without order runs
 constexpr double kNoNoise = 1e-4;     // of a fault's size
-
-std::string shortNumber(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3g", value);
-  return text;
-}
 
 std::string count(std::size_t n, const std::string& what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); }
 

@@ -39,24 +39,24 @@ FaultNetwork::FaultNetwork(std::vector<FaultSurface> faults, double branch_reach
   if (branch_reach > 0.0)
     branches_ = detail::joinBranches(faults_, branch_reach);
   stub_ = kStub * branch_reach;
+  std::vector<Bounds> boxes;
   bvhs_.reserve(faults_.size());
   for (const FaultSurface& fault : faults_) {
     bvhs_.emplace_back(fault.mesh);
     normals_.emplace_back(fault.mesh);
-    bounds_.extend(bvhs_.back().bounds());
     const Bounds& box = bvhs_.back().bounds();
     const double size = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
     tolerances_.push_back(kOnFault * std::max(size, box.diagonal()));
+    boxes.push_back(box);
   }
+  boxes_ = FaultBoxes(boxes);
+  branches_of_.resize(faults_.size());
+  for (std::size_t b = 0; b < branches_.size(); ++b)
+    branches_of_[static_cast<std::size_t>(branches_[b].fault)].push_back(b);
 }
 
 bool FaultNetwork::crosses(const Vector3& a, const Vector3& b) const {
-  const Bounds box = boundsOfSegment(a, b);
-  if (!box.overlaps(bounds_))
-    return false;
-  return std::any_of(bvhs_.begin(), bvhs_.end(), [&](const TriangleBvh& bvh) {
-    return box.overlaps(bvh.bounds()) && bvh.hits(a, b);
-  });
+  return !boxes_.forEachIn(boundsOfSegment(a, b), [&](std::size_t fault) { return !bvhs_[fault].hits(a, b); });
 }
 
 FaultCrossing FaultNetwork::crossing(std::size_t fault, const SegmentHit& hit,
@@ -68,17 +68,14 @@ FaultCrossing FaultNetwork::crossing(std::size_t fault, const SegmentHit& hit,
 }
 
 std::optional<FaultCrossing> FaultNetwork::firstCrossing(const Vector3& a, const Vector3& b) const {
-  const Bounds box = boundsOfSegment(a, b);
   std::optional<FaultCrossing> first;
-  if (!box.overlaps(bounds_))
-    return first;
-  for (std::size_t i = 0; i < bvhs_.size(); ++i) {
-    if (!box.overlaps(bvhs_[i].bounds()))
-      continue;
-    const auto hit = bvhs_[i].firstHit(a, b);
-    if (hit && (!first || hit->parameter < first->parameter))
-      first = crossing(i, *hit, b - a);
-  }
+  boxes_.forEachIn(boundsOfSegment(a, b), [&](std::size_t fault) {
+    const auto hit = bvhs_[fault].firstHit(a, b);
+    const bool tie = hit && first && hit->parameter == first->parameter;
+    if (hit && (!first || hit->parameter < first->parameter || (tie && static_cast<Index>(fault) < first->fault)))
+      first = crossing(fault, *hit, b - a);
+    return true;
+  });
   return first;
 }
 
@@ -91,20 +88,15 @@ std::vector<FaultCrossing> FaultNetwork::crossings(std::size_t fault, const Vect
   return result;
 }
 
-bool FaultNetwork::isBranch(std::size_t fault) const {
-  return std::any_of(branches_.begin(), branches_.end(), [fault](const FaultBranch& branch) { return branch.fault == static_cast<Index>(fault); });
-}
-
 bool FaultNetwork::separates(std::size_t fault, const Vector3& a, const Vector3& b) const {
   if (!boundsOfSegment(a, b).overlaps(bvhs_[fault].bounds()))
     return false;
-  return (isBranch(fault) ? crossings(fault, a, b).size() : bvhs_[fault].countHits(a, b)) % 2 == 1;
+  return (!branches_of_[fault].empty() ? crossings(fault, a, b).size() : bvhs_[fault].countHits(a, b)) % 2 == 1;
 }
 
 bool FaultNetwork::beyondMainFault(std::size_t fault, const Vector3& p) const {
-  for (const FaultBranch& branch : branches_) {
-    if (branch.fault != static_cast<Index>(fault))
-      continue;
+  for (const std::size_t b : branches_of_[fault]) {
+    const FaultBranch& branch = branches_[b];
     const FaultPoint main = nearest(static_cast<std::size_t>(branch.main_fault), p, stub_);
     if (main.fault >= 0 && main.side == -branch.side && !main.at_border)
       return true;
@@ -132,17 +124,15 @@ FaultPoint FaultNetwork::faultPoint(std::size_t fault, const Vector3& p,
 FaultPoint FaultNetwork::nearest(const Vector3& p, double max_distance) const {
   MeshPoint best;
   std::size_t fault = 0;
-  for (std::size_t i = 0; i < bvhs_.size(); ++i) {
-    const Bounds& box = bvhs_[i].bounds();
-    const double at_least = (p - p.cwiseMax(box.low).cwiseMin(box.high)).norm();
-    if (best.triangle >= 0 ? at_least >= best.distance : at_least > max_distance)
-      continue;
-    const MeshPoint found = bvhs_[i].nearest(p, std::min(max_distance, best.distance));
-    if (found.triangle >= 0 && (best.triangle < 0 || found.distance < best.distance)) {
+  const auto limit = [&] { return std::min(max_distance, best.distance); };
+  boxes_.forEachWithin(p, limit, [&](std::size_t i) {
+    const MeshPoint found = bvhs_[i].nearest(p, limit());
+    const bool tie = found.distance == best.distance;
+    if (found.triangle >= 0 && (best.triangle < 0 || found.distance < best.distance || (tie && i < fault))) {
       best = found;
       fault = i;
     }
-  }
+  });
   return best.triangle < 0 ? FaultPoint{} : faultPoint(fault, p, best);
 }
 
@@ -155,14 +145,14 @@ int FaultNetwork::side(std::size_t fault, const Vector3& p) const {
 }
 
 bool FaultNetwork::mayTouch(const Bounds& box) const {
-  return box.overlaps(bounds_) &&
-         std::any_of(bvhs_.begin(), bvhs_.end(), [&box](const TriangleBvh& bvh) {
-           return box.overlaps(bvh.bounds()) && bvh.mayTouch(box);
-         });
+  return !boxes_.forEachIn(box, [&](std::size_t fault) { return !bvhs_[fault].mayTouch(box); });
 }
 
 bool FaultNetwork::mayPart(const Points& points) const {
-  return std::any_of(bvhs_.begin(), bvhs_.end(), [&points](const TriangleBvh& bvh) { return bvh.mayPart(points.data(), points.size()); });
+  Bounds box;
+  for (const Vector3& p : points)
+    box.extend(p);
+  return !boxes_.forEachIn(box, [&](std::size_t fault) { return !bvhs_[fault].mayPart(points.data(), points.size()); });
 }
 
 } // namespace graben

@@ -14,12 +14,12 @@ std::uint64_t faultSignature(const FaultNetwork& faults, const Vector3& a, const
   Bounds box;
   box.extend(a);
   box.extend(b);
-  if (faults.empty() || !faults.bounds().overlaps(box))
-    return 0;
   std::uint64_t signature = 0;
-  for (std::size_t f = 0; f < faults.size(); ++f)
-    if (faults.separates(f, a, b))
-      signature ^= signatureOf(f);
+  faults.boxes().forEachIn(box, [&](std::size_t fault) {
+    if (faults.separates(fault, a, b))
+      signature ^= signatureOf(fault);
+    return true;
+  });
   return signature;
 }
 

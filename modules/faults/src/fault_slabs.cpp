@@ -64,7 +64,8 @@ void FaultSlabs::gather(const FaultNetwork& faults, const Bounds& box) {
   const Bounds around{box.low - rounding, box.high + rounding};
   if (!faults.bounds().overlaps(around))
     return;
-  for (std::size_t f = 0; f < faults.size(); ++f) {
+  faults.boxes().gather(around, near_);
+  for (const std::size_t f : near_) {
     triangles_.clear();
     faults.bvh(f).forEachInBox(around, [this](Index t) {
       triangles_.push_back(t);

@@ -1,6 +1,7 @@
 #include "smooth_loft.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/short_number.h"
 #include "graben/faults/fault_lofting.h"
 #include "graben/mesh/adjacency.h"
 #include "graben/mesh/components.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace graben {
@@ -24,12 +24,6 @@ constexpr double kFacingShare = 0.5; // of the narrower patch: what faces the ot
 constexpr double kSmallGap = 0.2;   // of the lower patch: the largest gap or overlap
 constexpr double kOneSheet = 0.05;  // of the lower patch: how far patches lie off one smooth surface
 constexpr double kSamples = 3000.0; // of all patches
-
-std::string shortNumber(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3g", value);
-  return text;
-}
 
 bool isClosed(const TriangleMesh& mesh) {
   const EdgeAdjacency adjacency(mesh);

@@ -263,7 +263,9 @@ private:
   Index faultBefore(const SheetBeyond& sheet, const Vector3& viewpoint) const {
     const Vector3& beyond = grid_.points()[static_cast<std::size_t>(sheet.example)];
     FaultPoint best;
-    for (std::size_t f = 0; f < faults_.size(); ++f) {
+    std::vector<std::size_t> between;
+    faults_.boxes().gather({viewpoint.cwiseMin(beyond), viewpoint.cwiseMax(beyond)}, between);
+    for (const std::size_t f : between) {
       if (faults_.crossings(f, viewpoint, beyond).size() % 2 == 0)
         continue;
       const FaultPoint near = faults_.nearest(f, viewpoint, options_.band);

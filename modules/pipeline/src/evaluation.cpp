@@ -5,12 +5,38 @@
 #include "graben/mesh/normals.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cmath>
 #include <limits>
 
 namespace graben {
 
 namespace {
+
+constexpr double kNearby = 20.0; // fault reaches: farther away a fault is not one that picks stopped short of
+constexpr double kBeyond = 1.5;  // of the distance that the surface is away: what reaches the fault surely
+
+/// The least distance of the surface's vertices to a fault.
+double distanceTo(const TriangleMesh& mesh, const FaultNetwork& faults, std::size_t fault) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vector3& p : mesh.vertices) {
+    const FaultPoint near = faults.nearest(fault, p, least);
+    if (near.fault >= 0)
+      least = std::min(least, near.distance);
+  }
+  return least;
+}
+
+std::string doesNotTouch(const std::string& fault, double distance, double reach) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.3g", distance);
+  std::string sentence = "Fault " + fault + " does not touch the horizon, which ends " + text + " from it, and has no effect; ";
+  if (distance < kNearby * reach) {
+    std::snprintf(text, sizeof(text), "%.3g", kBeyond * distance);
+    sentence += "if the picks stop short of it there, --fault-reach " + std::string(text) + " carries the surface on to it; else ";
+  }
+  return sentence + "check its coordinates, its units and which way its z grows.";
+}
 
 void evaluateFaults(const FinishedSurface& surface, unsigned threads, ReconstructionReport& report) {
   const auto& [cut, connections, components, faults, bridges] = surface;
@@ -33,8 +59,7 @@ void evaluateFaults(const FinishedSurface& surface, unsigned threads, Reconstruc
     entry.triangles = faults.fault(f).mesh.triangles.size();
     entry.cut_vertices = vertices[f];
     if (vertices[f] == 0)
-      report.warnings.push_back("Fault " + entry.name + " does not touch the horizon and has no effect; check its coordinates, its units and "
-                                "which way its z grows.");
+      report.warnings.push_back(doesNotTouch(entry.name, distanceTo(cut.mesh, faults, f), report.used.fault_reach));
     report.faults.push_back(entry);
   }
   for (const FaultBranch& branch : faults.branches()) {

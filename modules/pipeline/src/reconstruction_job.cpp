@@ -43,6 +43,7 @@ std::size_t neighborsFor(const Sampling& sampling, double delta, double mean_dis
 constexpr std::size_t kNeighborsOfLines = 30; // reach the next lines: those of one line alone have no plane
 constexpr double kVoxelOfLines = 0.167; // line distances
 constexpr double kRhoOfLines = 0.75;   // line distances
+constexpr double kNoGap = 1e-6;        // of the reach: a fault that is this near to another reaches it
 
 
 // Measured with a million picks, and with a million vertices on a tenth of them.
@@ -154,14 +155,22 @@ void ReconstructionJob::prepareParameters() {
 
 void ReconstructionJob::buildFaults(const std::vector<FaultGeometry>& faults) {
   const double reach = result_.report.used.fault_reach;
-  FaultPreparation preparation{reach, mean_distance_, {options_.fault_smoothing, options_.fault_dip, {}}};
+  FaultPreparation preparation{options_.extend_faults.value_or(reach), mean_distance_, {options_.fault_smoothing, options_.fault_dip, {}},
+                               options_.extend_faults.has_value()};
   if (options_.fault_dip)
     preparation.loft.horizon = boundsOf(picks_.points, options_.threads);
   ReconstructionReport& report = result_.report;
-  if (prepared_ != nullptr)
+  if (prepared_ != nullptr) {
     faults_ = prepared_->network;
-  else
-    faults_ = FaultNetwork(prepareFaults(faults, result_.frame, grid_, preparation, report.warnings, report.notes), reach);
+  } else {
+    std::vector<FaultSurface> prepared = prepareFaults(faults, result_.frame, grid_, preparation, report.warnings, report.notes, &extended_);
+    fault_order_ = FaultOrder(prepared);
+    faults_ = FaultNetwork(std::move(prepared), reach);
+    for (const FaultBranch& branch : faults_.branches())
+      if (branch.gap > kNoGap * reach)
+        report.notes.push_back("Fault " + faults_.fault(static_cast<std::size_t>(branch.fault)).name + " was extended by up to " + shortNumber(branch.gap) +
+                               " to reach fault " + faults_.fault(static_cast<std::size_t>(branch.main_fault)).name + ", which it branches off.");
+  }
   zone_ = zonePicks(picks_.points, faults_, result_.report.used.zone_width, options_.threads);
 }
 
@@ -214,6 +223,7 @@ void ReconstructionJob::finish() {
     result_.faults.push_back(toUserFrame(faults_.fault(f), result_.frame));
   result_.mesh = toUserFrame(std::move(cut_.mesh), result_.frame, options_.threads);
   result_.vertex_faults = std::move(cut_.vertex_faults);
+  fault_order_.restore(result_);
 }
 
 /// All but the picks' distances; the grid and the connections go when they have served, and the picks set aside come back.

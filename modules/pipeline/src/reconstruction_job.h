@@ -6,6 +6,7 @@
 
 #include "evaluation.h"
 #include "given_picks.h"
+#include "fault_order.h"
 #include "ordered_picks.h"
 
 #include "graben/features/neighbor_grid.h"
@@ -97,6 +98,8 @@ private:
   std::size_t surface_memory_ = 0; ///< what the limit leaves for the extraction; 0: no limit
   NeighborGrid grid_;
   FaultNetwork faults_;
+  FaultOrder fault_order_;
+  std::vector<double> extended_; ///< of each fault as given, to reach the horizon
   FaultNetwork no_faults_;
   TangentPlanes planes_;
   Points normals_;          ///< those of the planes, after the planes have gone

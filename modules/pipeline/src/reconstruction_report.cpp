@@ -52,7 +52,7 @@ Json json(const UsedParameters& u) {
 }
 
 Json json(const ThrowSummary& t) {
-  Json j = {{"samples", t.samples}, {"min", t.min}, {"mean", t.mean}, {"max", t.max}};
+  Json j = {{"samples", t.samples}, {"left_out", t.left_out}, {"extrapolated", t.extrapolated}, {"min", t.min}, {"mean", t.mean}, {"max", t.max}};
   if (t.samples > 0) {
     j["min_at"] = json(t.min_at);
     j["max_at"] = json(t.max_at);
@@ -68,7 +68,7 @@ Json json(const Extrapolation& e) {
 }
 
 Json json(const FaultReport& f, const FaultSeal* seal) {
-  Json j = {{"name", f.name}, {"triangles", f.triangles}, {"cut_vertices", f.cut_vertices}};
+  Json j = {{"name", f.name}, {"triangles", f.triangles}, {"cut_vertices", f.cut_vertices}, {"extended", f.extended}};
   if (!f.branches_off.empty()) {
     j["branches_off"] = f.branches_off;
     j["branch_gap"] = f.branch_gap;

@@ -88,7 +88,7 @@ void ReconstructionJob::readPolygons() {
 void ReconstructionJob::readThrowsOff(const EdgeAdjacency& adjacency) {
   const LocalFrame& frame = result_.frame;
   result_.cutoffs = cutoffLines(cut_.mesh, cut_.vertex_faults, adjacency, &faults_, options_.threads);
-  result_.throws = readThrows(result_.cutoffs, faults_);
+  result_.throws = readThrows(result_.cutoffs, faults_, {result_.report.extrapolation.limit});
   estimateThrowDeviation();
   readPolygons();
   for (CutoffLine& line : result_.cutoffs)
@@ -116,6 +116,8 @@ void ReconstructionJob::readThrowsOff(const EdgeAdjacency& adjacency) {
     report.roughness = profile.roughness;
     report.tips = (profile.tip_at_start ? 1 : 0) + (profile.tip_at_end ? 1 : 0);
     report.throw_ = summarize(result_.throws[f]);
+    if (f < extended_.size())
+      report.extended = extended_[fault_order_.given(f)];
     result_.profiles.push_back(std::move(profile));
   }
   if (rows > 0)

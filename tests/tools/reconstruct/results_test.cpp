@@ -208,7 +208,7 @@ TEST_F(ReconstructResults, ThrowsAndDistancesToPicksAreWritten) {
   synthesize("s", "--kind normal --picks 4000");
   ASSERT_EQ(reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --results r --output top.ts --gocad-properties").code, 0);
   EXPECT_THAT(content("r/throw_1_fault_1.csv"),
-              StartsWith("x,y,z,hanging_wall_x,hanging_wall_y,hanging_wall_z,along,throw,heave,dip_slip\n"));
+              StartsWith("x,y,z,hanging_wall_x,hanging_wall_y,hanging_wall_z,along,throw,heave,dip_slip,mark\n"));
   const auto report = nlohmann::json::parse(content("r/report.json"));
   EXPECT_GT(report["faults"][0]["throw"]["samples"], 50);
   EXPECT_NEAR(report["faults"][0]["throw"]["mean"], 83.0, 4.0);

@@ -75,6 +75,46 @@ TEST(FaultThrow, DoesNotReachOverToAnotherLimbOfTheFault) {
   EXPECT_TRUE(throws[0].empty());
 }
 
+/// Both limbs of a fold face their own counterpart, though the other limb's may be nearer.
+TEST(FaultThrow, PairsLimbsOfTheSameWayUp) {
+  const double drop = 100.0;
+  const Points fold = {onFault(0, 0), onFault(600, 0), onFault(600, 90), onFault(0, 90)};
+  Points lower;
+  for (const Vector3& p : fold)
+    lower.insert(lower.begin(), onFault(p.y() > 300.0 ? 610.0 : -10.0, p.z() - drop));
+  const auto throws = readThrows({line(-1, {fold[0], onFault(300, 0), fold[1]}), line(-1, {fold[2], onFault(300, 90), fold[3]}), line(1, lower)}, fault());
+  ASSERT_EQ(throws[0].size(), 6U);
+  for (const ThrowSample& s : throws[0])
+    EXPECT_NEAR(s.throw_, drop, 1e-9);
+}
+
+/// A crumb of a line beside the long one, and what lies next to another fault, tell nothing of the throw.
+TEST(FaultThrow, CountsNeitherCrumbsNorJunctionsNorExtrapolatedCutoffs) {
+  TriangleMesh crossing;
+  crossing.vertices = {{-500, 5, -500}, {-500, 5, 500}, {500, 5, 500}, {500, 5, -500}};
+  crossing.triangles = {{0, 1, 2}, {0, 2, 3}};
+  FaultNetwork both({fault().fault(0), FaultSurface::fromMesh("g", crossing)});
+  CutoffLine footwall = line(-1, {});
+  CutoffLine hanging_wall = line(1, {});
+  for (int i = 0; i <= 40; ++i) {
+    const double throw_ = i == 0 ? 3.0 : i > 30 ? 500.0 : 60.0;
+    footwall.points.push_back(onFault(20.0 * i, 30.0));
+    footwall.pick_distance.push_back(i > 30 ? 90.0F : 10.0F);
+    hanging_wall.points.insert(hanging_wall.points.begin(), onFault(20.0 * i, 30.0 - throw_));
+    hanging_wall.pick_distance.push_back(10.0F);
+  }
+  const CutoffLine crumb = line(-1, {onFault(400, 20), onFault(401, 20)});
+  const ThrowSummary s = summarize(readThrows({footwall, crumb, hanging_wall}, both, {50.0})[0]);
+  EXPECT_NEAR(s.mean, 60.0, 1e-9);
+  EXPECT_NEAR(s.min, 60.0, 1e-9);
+  EXPECT_NEAR(s.length, 800.0, 1e-9);
+  EXPECT_EQ(s.samples + s.left_out, 41U);
+  EXPECT_FALSE(s.extrapolated);
+  const ThrowSummary far = summarize(readThrows({footwall, crumb, hanging_wall}, both, {5.0})[0]);
+  EXPECT_TRUE(far.extrapolated) << "nearly all are: better than nothing, and said";
+  EXPECT_GT(far.samples, 30U);
+}
+
 TEST(FaultThrow, WantsSides) {
   EXPECT_THROW(readThrows({line(0, {onFault(0, 0), onFault(1000, 0)})}, fault()), InvalidInputError);
   CutoffLine stray = line(1, {onFault(0, 0), onFault(1000, 0)});

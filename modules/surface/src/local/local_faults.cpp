@@ -73,9 +73,9 @@ LocalFaults::LocalFaults(const FaultNetwork& faults, const FaultBorders& borders
   if (faults.empty() || !faults.bounds().overlaps(box))
     return;
   std::vector<Index> triangles;
-  for (std::size_t f = 0; f < faults.size(); ++f) {
-    if (!faults.bvh(f).bounds().overlaps(box))
-      continue;
+  std::vector<std::size_t> near;
+  faults.boxes().gather(box, near);
+  for (const std::size_t f : near) {
     triangles.clear();
     faults.bvh(f).forEachInBox(box, [&triangles](Index t) {
       triangles.push_back(t);

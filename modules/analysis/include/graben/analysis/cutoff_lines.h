@@ -14,6 +14,7 @@ struct CutoffLine {
   Index piece = -1; ///< piece label of the mesh, -1 where it has none
   int side = 0;     ///< -1: the footwall's, +1: the hanging wall's, 0: not asked for
   std::vector<Index> vertices; ///< of the mesh, one for each point
+  std::vector<float> pick_distance; ///< of each point where the mesh has a scalar of that name, else empty
   Points points;    ///< in the direction of the border: the piece lies to the left, seen from the side its normals point to
 };
 

@@ -19,6 +19,14 @@ namespace graben {
 /// not finite, or the fault's mesh is not valid
 FaultSurface extendedAlongDip(const FaultSurface& fault, double distance);
 
+/// Where an upper or lower border of a fault is to be continued: for each of its points.
+/// \param[in] border  its points, in its order
+/// \param[in] outward for each of them the unit direction along dip, away from the fault
+using WhereExtended = std::function<std::vector<bool>(const Points& border, const Points& outward)>;
+
+/// The same where \a where says so only.
+FaultSurface extendedAlongDip(const FaultSurface& fault, double distance, const WhereExtended& where);
+
 /// Whether a fault goes on beyond one of its lateral ends.
 /// \param[in] end     the vertices along the end, in the border's order
 /// \param[in] outward for each of them the unit direction along strike, away from the fault

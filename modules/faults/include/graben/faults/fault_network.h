@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/faults/fault_boxes.h"
 #include "graben/faults/fault_surface.h"
 #include "graben/faults/pseudo_normals.h"
 #include "graben/mesh/triangle_bvh.h"
@@ -68,7 +69,9 @@ public:
   const FaultSurface& fault(std::size_t i) const { return faults_[i]; }
   const TriangleBvh& bvh(std::size_t i) const { return bvhs_[i]; }
   const std::vector<FaultBranch>& branches() const { return branches_; }
-  const Bounds& bounds() const { return bounds_; }
+  const Bounds& bounds() const { return boxes_.bounds(); }
+  /// The faults' boxes, to ask only faults near a place.
+  const FaultBoxes& boxes() const { return boxes_; }
 
   /// True if the closed segment a b meets a fault. A segment with an end exactly on a fault meets
   /// it.
@@ -106,7 +109,6 @@ public:
 private:
   FaultCrossing crossing(std::size_t fault, const SegmentHit& hit, const Vector3& run) const;
   FaultPoint faultPoint(std::size_t fault, const Vector3& p, const MeshPoint& found) const;
-  bool isBranch(std::size_t fault) const;
   bool beyondMainFault(std::size_t fault, const Vector3& p) const;
 
   std::vector<FaultSurface> faults_;
@@ -114,8 +116,9 @@ private:
   std::vector<PseudoNormals> normals_;
   std::vector<double> tolerances_; // distance under which a point is on the fault
   std::vector<FaultBranch> branches_;
+  std::vector<std::vector<std::size_t>> branches_of_; // places in branches_, by fault
   double stub_ = 0.0; // how far a branch may stick out of the far side of its main fault
-  Bounds bounds_;
+  FaultBoxes boxes_;
 };
 
 } // namespace graben

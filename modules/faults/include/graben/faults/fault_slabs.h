@@ -44,6 +44,7 @@ private:
 
   std::vector<Slab> slabs_;
   std::vector<Index> triangles_;
+  std::vector<std::size_t> near_;
   Mark all_ = 0; ///< the lower bit of each slab
 };
 

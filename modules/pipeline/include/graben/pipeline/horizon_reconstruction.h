@@ -38,6 +38,8 @@ struct ReconstructionOptions {
   double fault_reach = 0.0;  ///< farthest the surface is carried on from the last picks to a fault, in x, y units; 0: as far as picks stop before it, up
                              ///< to a sixth of the cloud's diagonal
   double clearance = 0.0;    ///< picks nearer to a fault than this are left out, in x, y units: a gridder has bridged it, a tracker smeared along it
+  std::optional<double> extend_faults;   ///< along dip and, at the data's edge, strike, in x, y units; 0: not. Unset: by up to fault_reach, along dip where
+                                         ///< the picks of a fault's two sides disagree or are within a pick's distance of it
   std::optional<double> fault_smoothing; ///< standard deviation of the faults' nodes about smooth surfaces, in x, y units; 0: kept exactly; see LoftOptions
   std::optional<TraceDip> fault_dip;     ///< of faults given as level lines on a map; see LoftOptions
   FitMode fit = FitMode::Full;

@@ -42,6 +42,7 @@ struct FaultReport {
   std::string name;
   std::size_t triangles = 0;
   std::size_t cut_vertices = 0;   ///< mesh vertices on the fault; 0: the fault does not touch the horizon
+  double extended = 0.0;          ///< largest distance it was continued over to reach the horizon, in x, y units with z scaled
   std::string branches_off;       ///< name of the fault it ends at, or empty
   double branch_gap = 0.0;        ///< largest distance it was extended over to reach that fault
   ThrowSummary throw_;            ///< throws in the picks' z units, lengths in x, y units
