@@ -111,7 +111,7 @@ ReadOptions readOptions(const OptionValues& values, const ProgressCallback& prog
   return read;
 }
 
-void declareParameterOptions(OptionParser& parser) {
+void declareParameterOptions(OptionParser& parser, bool with_extension) {
   parser.section("Parameters, in the picks' units; estimated from the picks where not given")
     .value("voxel-size", "H", "edge of a marching-cubes cell")
     .value("neighbors", "K", "picks a tangent plane is fitted to: 15, up to 60 where the noise is large")
@@ -123,8 +123,6 @@ void declareParameterOptions(OptionParser& parser) {
                                "nearest pick and whether that is beyond the data (default: as far as picks stop before it, up to a sixth of the "
                                "cloud's diagonal)")
     .value("clearance", "D", "picks nearer to a fault than this are left out: where a gridder has bridged it or a tracker smeared along it", "0")
-    .value("extend-faults", "D", "continue faults along dip: auto (to the horizon, where the picks have a step there), off, or a distance everywhere",
-           "auto")
     .value("fault-smoothing", "D", "how far the nodes of sticks lie off their fault (standard deviation): auto, off (all nodes lie in it) or a distance",
            "auto")
     .value("fault-dip", "DEG,AZIMUTH", "dip of faults given as level lines, traces on a map, and which way they dip, clockwise from north; 90: vertical")
@@ -136,12 +134,16 @@ void declareParameterOptions(OptionParser& parser) {
     .value("throw-interval", "M", "distance along strike between the rows of a fault's throw profile (default: four voxels, rounded)")
     .value("threads", "N", "0: one per processor", "0")
     .value("memory-limit", "GB", "a job that would need more is refused before it starts; 0: none is (default: three quarters of the memory)");
+  if (with_extension)
+    parser.value("extend-faults", "D", "continue faults along dip: auto (to the horizon, where the picks have a step there), off, or a distance everywhere",
+                 "auto");
   parser.section("For comparisons").list("skip", "STEP", "steps to leave out, each of which makes the surface better: " + stepNames());
 }
 
 HorizonInput readHorizonInput(const OptionValues& values, const ProgressCallback& progress) {
   if (!values.has("horizon"))
     throw UsageError("--horizon PICKS is missing: which file holds the picks?");
+  autoOr(values, "extend-faults");
   HorizonInput input;
   ReadOptions read = readOptions(values, progress);
   read.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
@@ -184,7 +186,9 @@ ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositiv
   o.zone_width = values.number("zone-width", 0.0, kHuge);
   o.fault_reach = values.number("fault-reach", 0.0, kHuge);
   o.clearance = values.number("clearance", 0.0, kHuge);
-  o.extend_faults = autoOr(values, "extend-faults");
+  const std::string extension = values.text("extend-faults");
+  if (extension != "none" && extension != "box") // words of graben_model
+    o.extend_faults = autoOr(values, "extend-faults");
   o.fault_smoothing = autoOr(values, "fault-smoothing");
   o.fault_dip = faultDip(values);
   constexpr FitMode fits[] = {FitMode::Full, FitMode::Normal, FitMode::Off};

@@ -25,7 +25,8 @@ void declareTableOptions(OptionParser& parser);
 ReadOptions readOptions(const OptionValues& values, const ProgressCallback& progress = {});
 
 /// The parameters alone, for commands with an input of their own.
-void declareParameterOptions(OptionParser& parser);
+/// \param[in] with_extension false: --extend-faults is declared by the caller
+void declareParameterOptions(OptionParser& parser, bool with_extension = true);
 
 HorizonInput readHorizonInput(const OptionValues& values, const ProgressCallback& progress = {});
 

@@ -78,7 +78,7 @@ ModelOptions modelOptions(const OptionValues& values, ZPositive z_positive) {
   o.size = values.number("size", 0.0, 1e12);
   o.min_thickness = values.number("min-thickness", 0.0, 1e12);
   o.fill = values.number("fill", 0.0, 1e12);
-  o.extend_faults_to_box = values.choice("extend-faults", {"none", "box"}) == 1;
+  o.extend_faults_to_box = values.text("extend-faults") == "box";
   return o;
 }
 
@@ -143,8 +143,9 @@ void declareModelOptions(OptionParser& parser) {
     .value("size", "D", "edge of the model's triangles (default: the horizons' smallest voxel size)")
     .value("min-thickness", "T", "a layer thinner than this is absent (default: two sigma of the picks, or a hundredth of the size)")
     .value("fill", "D", "farthest a horizon is carried on from itself over holes and to the outline; beyond, it follows its neighbour (default: any)")
-    .value("extend-faults", "HOW", "none, or box: faults are continued up and down to the model's top and base", "none");
-  declareParameterOptions(parser);
+    .value("extend-faults", "HOW", "box: faults are continued up and down to the model's top and base; none: only to the horizons, where the picks have a step "
+                                    "there; off, or a distance everywhere", "none");
+  declareParameterOptions(parser, false);
 }
 
 ModelInput readModelInput(const OptionValues& values, const ProgressCallback& progress) {

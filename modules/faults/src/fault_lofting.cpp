@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace graben {
 namespace {
@@ -22,6 +23,8 @@ constexpr double kRoughShare = 0.25;  // of its edges that must turn so
 constexpr double kNoisy = 0.1;         // of the distance of sticks: the noise that makes a smooth surface of them
 constexpr double kFolded = 0.005;     // of the edges that turn back on themselves: the surface folds over itself
 constexpr double kLevel = 0.2;        // rise of a level stick against its length
+constexpr double kSameHeights = 0.8;  // of the heights of all sticks that each falls through
+constexpr double kSideBySide = 2.0;   // lengths of the longest stick that all together extend
 constexpr double kLeastDip = 20.0;    // degrees; level sticks whose surface dips less are traces on a map rather than cuts of one fault
 constexpr double kWander = 6.0;       // lengths of its box that a line without order runs
 constexpr double kNoNoise = 1e-4;     // of a fault's size
@@ -53,6 +56,27 @@ bool isLevel(const FaultStick& stick) {
   return std::abs(run.z()) < kLevel * run.norm();
 }
 
+bool runsOneWayInZ(const FaultStick& stick) {
+  for (std::size_t i = 1; i < stick.points.size(); ++i)
+    if (!((stick.points[i].z() - stick.points[i - 1].z()) * (stick.points.back().z() - stick.points.front().z()) > 0.0))
+      return false;
+  return stick.points.size() > 1;
+}
+
+/// Sticks side by side that all fall through the same heights: they only look level because z is in another unit than x and y.
+bool looksFlattened(const std::vector<FaultStick>& sticks) {
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity(), longest = 0.0;
+  Bounds box;
+  for (const FaultStick& stick : sticks) {
+    const auto [bottom, top] = std::minmax(stick.points.front().z(), stick.points.back().z());
+    low = std::max(low, bottom);
+    high = std::min(high, top);
+    longest = std::max(longest, (stick.points.back() - stick.points.front()).norm());
+    box.extend(boundsOf(stick.points));
+  }
+  return std::all_of(sticks.begin(), sticks.end(), runsOneWayInZ) && high - low > kSameHeights * box.size().z() && box.diagonal() > kSideBySide * longest;
+}
+
 /// A line that goes to and fro over an area: points that somebody wrote one after the other.
 bool wanders(const FaultStick& stick) {
   return stick.points.size() > 8 && detail::length(stick) > kWander * boundsOf(stick.points).diagonal();
@@ -71,7 +95,7 @@ public:
       smoothPoints(clean[0].points);
       return std::move(result_);
     }
-    const bool level = !clean.empty() && std::all_of(clean.begin(), clean.end(), isLevel);
+    const bool level = !clean.empty() && std::all_of(clean.begin(), clean.end(), isLevel) && !looksFlattened(clean);
     if (level && options_.trace_dip) {
       fromTraces(clean);
       return std::move(result_);

@@ -14,7 +14,8 @@ constexpr std::size_t kSample = 8000;
 constexpr std::size_t kRun = 32;          // samples in a row, which lie near each other, are judged together
 constexpr double kFewRuns = 0.01;         // of the runs may look like lines by chance
 constexpr double kByChance = 2.0;         // runs of few may, too
-constexpr double kLeastShare = 0.02;      // of the picks on lines: fewer are chance
+constexpr double kLeastArea = 0.15;       // of the area that picks on lines stand for, in that of all: less is chance
+constexpr double kDenseStep = 1.5;        // median distances to the nearest: side of the square that a dense pick stands for, about
 constexpr double kWide = 6.2;             // cells: the distance up to which points are counted
 constexpr double kLineGrowth = 3.0;       // of the number of points when the distance doubles: 2 on a line, 4 on a surface
 constexpr double kSurfaceGrowth = 3.4;    // what lies about the crossings of lines stays below
@@ -242,10 +243,14 @@ PickLayout pickLayout(const NeighborGrid& grid, unsigned threads) {
     cell = static_cast<float>(kCellsBetweenLines * static_cast<double>(cell));
   smooth(grid, layout.line_distances, threads);
   std::vector<double> distances;
+  double area = 0.0;
   for (const float distance : layout.line_distances)
-    if (distance > 0.0F)
+    if (distance > 0.0F) {
       distances.push_back(static_cast<double>(distance));
-  if (static_cast<double>(distances.size()) < kLeastShare * static_cast<double>(grid.size()))
+      area += static_cast<double>(distance) * look.spacing;
+    }
+  const double dense = static_cast<double>(grid.size() - distances.size()) * std::pow(kDenseStep * look.spacing, 2);
+  if (!(area > kLeastArea * (area + dense)))
     return {};
   std::sort(distances.begin(), distances.end());
   layout.along_lines = true;

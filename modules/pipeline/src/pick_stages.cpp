@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kMeasurementReach = 2.0; // rho + delta: farther than this from all picks a measurement is not of this horizon
 constexpr std::size_t kFewestPicks = 4;   // that may be a piece of horizon
+constexpr double kMostOfPicks = 0.5;      // on lines
 constexpr double kMostOfFault = 0.5;      // of its length
 constexpr double kStrayZone = 4.0;        // mean distances from a fault within which strays are looked for
 const Vector3 kNowhere = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -27,6 +28,8 @@ const Vector3 kNowhere = Vector3::Constant(std::numeric_limits<double>::quiet_Na
 } // namespace
 
 bool ReconstructionJob::alongLines() const { return given_ && given_->layout.along_lines; }
+
+bool ReconstructionJob::mostlyLines() const { return alongLines() && given_->layout.share > kMostOfPicks; }
 
 /// Picks along lines give way to a balanced cloud, for all stages up to the last.
 void ReconstructionJob::seeHowPicksLie() {

@@ -49,6 +49,7 @@ private:
 
   // Which picks take part, and what stands in for them (pick_stages.cpp)
   bool alongLines() const;
+  bool mostlyLines() const;
   void seeHowPicksLie();
   void balance();
   void checkMeasurements();
@@ -73,6 +74,8 @@ private:
   SheetMesh extract();
   void cut(SheetMesh sheets);
   void fit();
+  double fitReach() const;
+  void chooseModels(const LocalFit& local);
   void refineLocally();
   void bendBetweenLines();
   void tidy();

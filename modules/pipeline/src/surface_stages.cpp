@@ -122,7 +122,8 @@ void ReconstructionJob::fit() {
     zone.zone_width = std::min(zone.zone_width, kBesideFaults * used.voxel_size);
     zone.passes = 1;
   }
-  if (local_fit && alongLines()) {
+  const bool bend = local_fit && mostlyLines() && picks_.measured.empty(); // a plate knows nothing of dips
+  if (bend) {
     bendBetweenLines();
     return;
   }
@@ -132,14 +133,20 @@ void ReconstructionJob::fit() {
     refineLocally();
 }
 
-void ReconstructionJob::refineLocally() {
-  const UsedParameters& used = result_.report.used;
-  const LocalFit local(grid_, planes_, faults_, used.fault_reach + 4.0 * rhoPlusDelta(), mean_distance_);
-  RefineOptions refinement;
-  refinement.models = chooseModels(local, used.zone_width, options_.threads);
-  models_ = refinement.models;
+void ReconstructionJob::chooseModels(const LocalFit& local) {
+  models_ = graben::chooseModels(local, result_.report.used.zone_width, options_.threads);
   result_.report.left_out_away = models_->error_away;
   result_.report.left_out_near = models_->error_near;
+}
+
+double ReconstructionJob::fitReach() const { return result_.report.used.fault_reach + 4.0 * rhoPlusDelta(); }
+
+void ReconstructionJob::refineLocally() {
+  const UsedParameters& used = result_.report.used;
+  const LocalFit local(grid_, planes_, faults_, fitReach(), mean_distance_);
+  chooseModels(local);
+  RefineOptions refinement;
+  refinement.models = *models_;
   refinement.zone_width = used.zone_width;
   refinement.max_step = used.voxel_size;
   refinement.threads = options_.threads;
@@ -148,6 +155,7 @@ void ReconstructionJob::refineLocally() {
 
 /// Between lines far apart no polynomial does: the surface bends like a plate that the picks hold.
 void ReconstructionJob::bendBetweenLines() {
+  chooseModels(LocalFit(grid_, planes_, faults_, fitReach(), mean_distance_)); // by which the deviation is told
   PlateFitOptions o;
   o.gap = given_->layout.line_distance;
   o.threads = options_.threads;

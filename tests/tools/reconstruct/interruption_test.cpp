@@ -57,11 +57,11 @@ protected:
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
 
-  /// The results folder but for the report, which tells the time.
+  /// The results folder but for the reports, which tell the time.
   Files files() const {
     Files result;
     for (const std::string& name : names("r"))
-      if (name != "report.json" && std::filesystem::is_regular_file(path("r/" + name)))
+      if (name != "report.json" && name != "report.html" && std::filesystem::is_regular_file(path("r/" + name)))
         result[name] = content("r/" + name);
     return result;
   }

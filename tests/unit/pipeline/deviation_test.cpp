@@ -97,7 +97,7 @@ void expectFourOutOfFive(const Calibration& c) {
 TEST(Deviation, HoldsTheTruthFourTimesOutOfFive) {
   for (const SyntheticKind kind : {SyntheticKind::Normal, SyntheticKind::Reverse, SyntheticKind::Tip}) {
     SCOPED_TRACE(static_cast<int>(kind));
-    expectFourOutOfFive(calibrate(kind, 2, [](SyntheticOptions&) {}));
+    expectFourOutOfFive(calibrate(kind, 3, [](SyntheticOptions&) {}));
   }
 }
 
