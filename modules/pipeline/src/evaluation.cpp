@@ -142,7 +142,8 @@ void countReasons(const std::vector<PickReason>& reasons, ReconstructionReport& 
   report.smeared_picks = count(PickReason::Smeared);
   report.picks_at_faults = count(PickReason::AtFault);
   report.stray_picks = count(PickReason::Stray);
-  if (report.stray_picks > 0)
+  constexpr std::size_t usual = 1000; // one pick in so many is carried across a fault by noise
+  if (report.stray_picks * usual > report.picks)
     report.warnings.push_back(std::to_string(report.stray_picks) + " picks near faults are all alone on their side and were set aside as strays.");
 }
 

@@ -15,6 +15,7 @@ using detail::PickBesideFault;
 using detail::ShadowBins;
 
 constexpr double kBinLength = 8.0;      // mean distances along strike
+constexpr double kLeastBin = 0.04;      // of the limit: longer where picks are so many that few of those looked at would lie in a bin
 constexpr double kNear = 2.5;           // mean distances: picks as near to a fault leave no shadow
 constexpr double kLimitShare = 1.0 / 6.0; // of the cloud's diagonal
 constexpr double kEdge = 3.0;           // mean distances behind the first pick from which the surface is carried on
@@ -45,7 +46,7 @@ class ShadowFiller {
 public:
   ShadowFiller(const LocalFit& fit, const FaultShadowOptions& options, double limit)
     : fit_(fit), grid_(fit.grid()), faults_(fit.faults()), options_(options), step_(options.mean_distance),
-      bins_(grid_, faults_, kBinLength * step_, kNear * step_, limit, options.threads) {}
+      bins_(grid_, faults_, std::max(kBinLength * step_, kLeastBin * limit), kNear * step_, limit, options.threads) {}
 
   FaultShadowFill run() {
     FaultShadowFill fill;

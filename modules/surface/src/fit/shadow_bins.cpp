@@ -13,8 +13,10 @@ namespace graben::detail {
 
 namespace {
 
-constexpr std::size_t kSample = 40000;   // picks looked at to see where there are any
+constexpr std::size_t kSample = 4000;   // picks looked at to see where there are any
 constexpr std::size_t kFewestInBin = 3;  // of these
+constexpr std::size_t kAround = 9;       // picks, itself included, that tell how dense they are about one
+constexpr double kNear = 2.5;            // distances of these: a pick as near to a fault leaves no shadow
 constexpr double kRefine = 1.5;          // of the widest shadow that the sample shows
 
 /// The horizontal direction along a fault.
@@ -55,7 +57,8 @@ void ShadowBins::addSample() {
     if (p.near.fault < 0 || p.near.at_border || p.near.side == 0)
       continue;
     ShadowBin& bin = bins_[{p.near.fault, p.near.side, p.bin}];
-    bin.nearest = bin.picks == 0 ? p.near.distance : std::min(bin.nearest, p.near.distance);
+    take(p, bin);
+    bin.near = near_;
     ++bin.picks;
   }
 }
@@ -65,11 +68,32 @@ void ShadowBins::addNear() {
   for (const PickBesideFault& p : picksWithin(near_)) {
     const auto bin = bins_.find({p.near.fault, p.near.side, p.bin});
     if (bin != bins_.end() && !p.near.at_border)
-      bin->second.nearest = std::min(bin->second.nearest, p.near.distance);
+      take(p, bin->second);
   }
-  for (const auto& [key, bin] : bins_)
-    if (bin.picks >= kFewestInBin && bin.nearest > near_)
+  measureWidest();
+}
+
+bool ShadowBins::open(const ShadowBin& bin) const { return bin.picks >= kFewestInBin && bin.nearest > bin.near; }
+
+void ShadowBins::take(const PickBesideFault& p, ShadowBin& bin) {
+  if (bin.pick >= 0 && bin.nearest <= p.near.distance)
+    return;
+  bin.nearest = p.near.distance;
+  bin.pick = p.pick;
+}
+
+/// Where picks are sparser than elsewhere, they also lie farther from faults.
+void ShadowBins::measureWidest() {
+  widest_ = 0.0;
+  std::vector<Neighbor> around;
+  for (auto& [key, bin] : bins_) {
+    if (!open(bin))
+      continue;
+    grid_.nearest(grid_.points()[static_cast<std::size_t>(bin.pick)], kAround, around);
+    bin.near = std::max(near_, kNear * std::sqrt(M_PI * around.back().squared_distance / static_cast<double>(kAround - 1)));
+    if (open(bin))
       widest_ = std::max(widest_, bin.nearest);
+  }
 }
 
 /// Where there are shadows, all picks tell how wide they are.
@@ -79,12 +103,9 @@ void ShadowBins::refine() {
   for (const PickBesideFault& p : picksWithin(std::min(limit_, kRefine * widest_))) {
     const auto bin = bins_.find({p.near.fault, p.near.side, p.bin});
     if (bin != bins_.end() && !p.near.at_border)
-      bin->second.nearest = std::min(bin->second.nearest, p.near.distance);
+      take(p, bin->second);
   }
-  widest_ = 0.0;
-  for (const auto& [key, bin] : bins_)
-    if (bin.picks >= kFewestInBin && bin.nearest > near_)
-      widest_ = std::max(widest_, bin.nearest);
+  measureWidest();
 }
 
 bool ShadowBins::hasPicks(Index fault, int side, int bin) const {
@@ -98,7 +119,7 @@ bool ShadowBins::hasPicks(Index fault, int side, int bin) const {
 
 double ShadowBins::widthAt(const PickBesideFault& p) const {
   const auto bin = bins_.find({p.near.fault, p.near.side, p.bin});
-  if (bin == bins_.end() || bin->second.picks < kFewestInBin || bin->second.nearest <= near_ || !hasPicks(p.near.fault, -p.near.side, p.bin))
+  if (bin == bins_.end() || !open(bin->second) || !hasPicks(p.near.fault, -p.near.side, p.bin))
     return 0.0;
   return bin->second.nearest;
 }
@@ -110,7 +131,7 @@ std::vector<double> ShadowBins::widths(Index fault, int side, std::size_t& bins)
     if (std::get<0>(key) != fault || std::get<1>(key) != side || bin.picks < kFewestInBin || !hasPicks(fault, -side, std::get<2>(key)))
       continue;
     ++bins;
-    if (bin.nearest > near_)
+    if (open(bin))
       found.push_back(bin.nearest);
   }
   std::sort(found.begin(), found.end());

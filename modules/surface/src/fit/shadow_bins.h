@@ -13,6 +13,8 @@ namespace graben::detail {
 struct ShadowBin {
   std::size_t picks = 0; ///< of those looked at
   double nearest = 0.0;  ///< distance of its nearest pick to the fault
+  Index pick = -1;       ///< which one that is
+  double near = 0.0;     ///< distance within which it would say that there is no shadow
 };
 
 /// A pick beside a fault, and the bin it is in.
@@ -46,6 +48,9 @@ private:
   void addSample();
   void addNear();
   void refine();
+  void measureWidest();
+  bool open(const ShadowBin& bin) const;
+  static void take(const PickBesideFault& pick, ShadowBin& bin);
   bool hasPicks(Index fault, int side, int bin) const;
 
   const NeighborGrid& grid_;
