@@ -101,6 +101,38 @@ void writePicks(const fs::path& dir, const ReconstructionResult& result) {
   writePcd((dir / "picks.pcd").string(), result.picks.size(), pick, fields);
 }
 
+const char* wordsFor(PickReason reason) {
+  switch (reason) {
+  case PickReason::WrongSide:
+    return "on the wrong side of a fault";
+  case PickReason::Smeared:
+    return "smeared along a fault";
+  case PickReason::AtFault:
+    return "within the clearance of a fault";
+  case PickReason::Stray:
+    return "stray: few, alone on their side of a fault";
+  case PickReason::Good:
+    break;
+  }
+  return "no surface near";
+}
+
+/// The picks that take no part in the surface, and those that no surface comes near.
+void writeSetAside(const fs::path& dir, const ReconstructionResult& result) {
+  std::vector<double> number, x, y, z;
+  std::vector<std::string> reason;
+  for (std::size_t i = 0; i < result.picks.size(); ++i) {
+    if (!result.picks[i].allFinite() || (result.pick_reason[i] == PickReason::Good && result.pick_piece[i] >= 0))
+      continue;
+    number.push_back(static_cast<double>(i + 1));
+    x.push_back(result.picks[i].x());
+    y.push_back(result.picks[i].y());
+    z.push_back(result.picks[i].z());
+    reason.emplace_back(wordsFor(result.pick_reason[i]));
+  }
+  writeTable((dir / "set_aside.csv").string(), {{"pick", number}, {"x", x}, {"y", y}, {"z", z}, {"reason", reason}});
+}
+
 std::vector<std::string> writeSurface(const OptionValues& values, const ReconstructionResult& result) {
   MeshWriteOptions o = meshOptions(result, fs::path(values.text("output")).stem().string());
   o.gocad_properties = values.has("gocad-properties");
@@ -117,6 +149,7 @@ std::vector<std::string> writeResults(const fs::path& dir, const OptionValues& v
   writePieces(dir, result);
   writeFaults(dir, result);
   writeCutoffs(dir, result);
+  writeSetAside(dir, result);
   writeThrows(dir, result);
   writeProfiles(dir, result, unitNames(values));
   writePolygons(dir, result);

@@ -84,7 +84,22 @@ TEST_F(ReconstructResults, PicturesAreThoseAskedForAndNeedNoDisplay) {
   EXPECT_EQ(names("r"),
             (std::set<std::string>{"cutoffs_1_fault_1.pol", "fault_1_fault_1.ts", "fault_polygons.csv", "fault_polygons.dbf", "fault_polygons.geojson",
                                    "fault_polygons.shp", "fault_polygons.shx", "gap_1_fault_1.pol", "graben_reconstruct.manifest", "picks.pcd", "piece_1.ts",
-                                   "piece_2.ts", "profile_1_fault_1.csv", "report.json", "surface.ply", "surface.vtk", "throw_1_fault_1.csv"}));
+                                   "piece_2.ts", "profile_1_fault_1.csv", "report.json", "set_aside.csv", "surface.ply", "surface.vtk",
+                                   "throw_1_fault_1.csv"}));
+}
+
+TEST_F(ReconstructResults, PicksSetAsideAreListedWithTheirReason) {
+  synthesize("s", "--kind normal --picks 4000");
+  ASSERT_EQ(reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --results r --pictures none --clearance 100").code, 0);
+  std::istringstream table(content("r/set_aside.csv"));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "pick,x,y,z,reason");
+  std::size_t rows = 0;
+  while (std::getline(table, line))
+    rows += line.find("within the clearance of a fault") != std::string::npos ? 1 : 0;
+  EXPECT_GT(rows, 50U);
+  EXPECT_THAT(content("r/report.json"), HasSubstr("\"at_faults\": " + std::to_string(rows)));
 }
 
 TEST_F(ReconstructResults, ThrowProfilesHaveUnitsAndARowEverySoOften) {
