@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kWidestGapOfLines = 175.0; // degrees; between the ends of lines the surface goes up to the straight line from end to end
 constexpr double kOverhangOfLines = 0.25; // line distances
+constexpr double kWedge = 3.0; // widths of a shadow to the end of a wedge between two faults
 constexpr double kBesideFaults = 3.0; // voxels; where the zone fit is wanted before the local fit, which goes on from it
 
 } // namespace
@@ -47,7 +48,12 @@ SignedDistanceOptions ReconstructionJob::distanceOptions() const {
   SignedDistanceOptions o;
   o.rho_plus_delta = rhoPlusDelta();
   o.overhang = surface_defaults::kFieldReach * used.voxel_size; // trimmed afterwards
-  o.fault_reach = carried_.empty() ? used.fault_reach : std::min(used.fault_reach, usualReach()); // where places stand in for picks, the usual reach does
+  o.fault_reach = used.fault_reach;
+  if (!carried_.empty() && faults_.branches().empty())
+    o.fault_reach = std::min(used.fault_reach, usualReach()); // where places stand in for picks, the usual reach does
+  else if (!carried_.empty() && options_.fault_reach == 0.0)  // but not in a wedge between two faults that is narrower than their shadows
+    for (const ShadowAtFault& shadow : result_.report.shadows.found)
+      o.fault_reach = std::max(o.fault_reach, kWedge * shadow.width);
   o.voxel_size = used.voxel_size;
   if (alongLines())
     o.widest_gap = kWidestGapOfLines;

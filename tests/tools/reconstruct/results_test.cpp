@@ -90,7 +90,7 @@ TEST_F(ReconstructResults, PicturesAreThoseAskedForAndNeedNoDisplay) {
 
 TEST_F(ReconstructResults, PicksSetAsideAreListedWithTheirReason) {
   synthesize("s", "--kind normal --picks 4000");
-  ASSERT_EQ(reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --results r --pictures none --clearance 100").code, 0);
+  ASSERT_EQ(reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --results r --clearance 100").code, 0);
   std::istringstream table(content("r/set_aside.csv"));
   std::string line;
   std::getline(table, line);
