@@ -89,14 +89,6 @@ Plane startingPlane(const Points& nodes) {
 
 } // namespace
 
-double median(std::vector<double> values) {
-  if (values.empty())
-    return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double robustDeviation(std::vector<double> values) {
   for (double& value : values)
     value = std::abs(value);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/median.h"
 #include "graben/mesh/triangle_mesh.h"
 
 namespace graben::detail {
@@ -25,9 +26,6 @@ private:
   Eigen::Matrix3d to_frame_ = Eigen::Matrix3d::Identity();
   Vector3 centre_ = Vector3::Zero();
 };
-
-/// The value in the middle; the upper of two. 0 of none.
-double median(std::vector<double> values);
 
 /// Standard deviation of values about 0, as the median tells it: a few wild ones do not count.
 double robustDeviation(std::vector<double> values);

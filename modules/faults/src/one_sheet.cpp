@@ -58,7 +58,7 @@ Points middleOf(const TriangleMesh& mesh, double& thickness) {
       thick.push_back(high - low);
       places.push_back(frame.toSpace(Vector3(p.x(), p.y(), 0.5 * (low + high))));
     }
-  thickness = detail::median(thick);
+  thickness = median(thick);
   if (!(thickness < kThin * std::min(size.x(), size.y())))
     return {};
   Points middle;
@@ -111,7 +111,7 @@ struct Outline {
       if (low <= high)
         heights.push_back(high - low);
     columns = static_cast<int>(heights.size());
-    usual = detail::median(heights);
+    usual = median(heights);
   }
 };
 

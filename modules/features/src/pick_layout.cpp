@@ -1,5 +1,6 @@
 #include "graben/features/pick_layout.h"
 
+#include "graben/core/median.h"
 #include "graben/core/threads.h"
 #include "thinning.h"
 
@@ -46,14 +47,6 @@ Counts countAround(const NeighborGrid& grid, const Vector3& place, double distan
     counts.near += around.squared_distance[i] > 0.0 && around.squared_distance[i] <= 0.25 * distance * distance ? 1.0 : 0.0;
   }
   return counts;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty())
-    return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// The distance to the nearest other place; 0 if there is none.
