@@ -1,5 +1,6 @@
 #include "graben/surface/fault_shadows.h"
 
+#include "local/support_kernels.h"
 #include "shadow_bins.h"
 
 #include "graben/core/threads.h"
@@ -167,17 +168,8 @@ private:
 
   /// Leaves out what lies ahead of the frame's middle.
   void keepBehind(const Eigen::Vector2d& way, LocalFit::Scratch& s) const {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < s.count; ++i) {
-      if (s.u[i] * way.x() + s.v[i] * way.y() > 0.25 * step_)
-        continue;
-      s.u[kept] = s.u[i];
-      s.v[kept] = s.v[i];
-      s.height[kept] = s.height[i];
-      s.squared[kept] = s.squared[i];
-      s.index[kept++] = s.index[i];
-    }
-    s.count = kept;
+    const detail::PickArrays picks{s.u.data(), s.v.data(), s.height.data(), s.squared.data(), s.index.data()};
+    detail::keepIf(picks, s.count, [&](std::size_t i) { return !(s.u[i] * way.x() + s.v[i] * way.y() > 0.25 * step_); });
   }
 
   double errorOf(LocalSurface surface, int degree, const std::vector<Neighbor>& left_out, const Edge& edge, LocalFit::Scratch& scratch) const {
