@@ -52,6 +52,11 @@ void say(const ReconstructionResult& result) {
   for (const ShadowAtFault& s : r.shadows.found)
     std::printf("shadow     picks stop %.3g before %s on the %s, along %.0f %% of it; the surface %s\n", s.width, s.fault.c_str(),
                 s.hanging_wall ? "hanging wall" : "footwall", 100.0 * s.share, s.places > 0 ? "is carried on to it" : "ends there");
+  if (r.extent.places > 0)
+    std::printf("extent     %s%s: carried on up to %.3g from the picks\n", r.extent.kind.c_str(),
+                r.extent.holes > 0 ? (" with " + std::to_string(r.extent.holes) + " holes covered").c_str() : "", r.extent.farthest);
+  if (r.extent.open > 0)
+    std::printf("holes      %zu wider than asked for stay open, up to %.3g wide\n", r.extent.open, r.extent.widest_open);
   if (r.measurements > 0)
     std::printf("dips       %zu of %zu measurements used\n", r.measurements - r.measurements_not_usable - r.measurements_set_aside, r.measurements);
   std::printf("surface    %zu triangles in %zu pieces, voxel size %.4g\n", r.topology.triangles, r.topology.components, r.used.voxel_size);

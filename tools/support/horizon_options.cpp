@@ -6,10 +6,12 @@
 #include "graben/io/fault_reader.h"
 #include "graben/io/input_check.h"
 #include "graben/io/pick_reader.h"
+#include "graben/surface/map_outline.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -63,6 +65,26 @@ std::optional<TraceDip> faultDip(const OptionValues& values) {
     throw UsageError("option --fault-dip: '" + text + "' is not DEG,AZIMUTH with a dip over 0 and up to 90 degrees and the azimuth it dips towards (90 alone: "
                      "vertical)");
   return dip;
+}
+
+/// The rings of a polygon file, in its order.
+std::vector<Points> polygonOf(const std::string& file) {
+  std::vector<Points> rings;
+  for (const FaultInput& input : readFaults(file))
+    if (const auto* lines = std::get_if<std::vector<FaultStick>>(&input.geometry))
+      for (const FaultStick& line : *lines)
+        rings.push_back(line.points);
+  if (MapOutline(rings).empty())
+    throw InvalidInputError(file, "no polygon; expected one or more closed lines of three places or more, as in a .pol file");
+  return rings;
+}
+
+void setExtent(const OptionValues& values, ReconstructionOptions& o) {
+  const std::string extent = values.text("extent");
+  o.extent = extent == "data" ? HorizonExtent::Data : extent == "hull" ? HorizonExtent::Hull : HorizonExtent::Polygon;
+  if (o.extent == HorizonExtent::Polygon)
+    o.polygon = polygonOf(extent);
+  o.fill_holes = values.text("fill-holes") == "all" ? std::numeric_limits<double>::infinity() : values.number("fill-holes", 0.0, kHuge);
 }
 
 std::string stepNames() {
@@ -123,6 +145,9 @@ void declareParameterOptions(OptionParser& parser, bool with_extension) {
                                "nearest pick and whether that is beyond the data (default: as far as picks stop before it, up to a sixth of the "
                                "cloud's diagonal)")
     .value("clearance", "D", "picks nearer to a fault than this are left out: where a gridder has bridged it or a tracker smeared along it", "0")
+    .value("extent", "AREA", "what the surface covers: data (what the picks cover), hull (all that lies between them on the map) or the polygons of a file, "
+                             "beyond which it ends", "data")
+    .value("fill-holes", "SIZE", "holes among the picks no wider than this are covered too; all: every hole", "0")
     .value("fault-smoothing", "D", "how far the nodes of sticks lie off their fault (standard deviation): auto, off (all nodes lie in it) or a distance",
            "auto")
     .value("fault-dip", "DEG,AZIMUTH", "dip of faults given as level lines, traces on a map, and which way they dip, clockwise from north; 90: vertical")
@@ -186,6 +211,7 @@ ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositiv
   o.zone_width = values.number("zone-width", 0.0, kHuge);
   o.fault_reach = values.number("fault-reach", 0.0, kHuge);
   o.clearance = values.number("clearance", 0.0, kHuge);
+  setExtent(values, o);
   const std::string extension = values.text("extend-faults");
   if (extension != "none" && extension != "box") // words of graben_model
     o.extend_faults = autoOr(values, "extend-faults");

@@ -26,7 +26,7 @@ void checkExtension(const std::string& output) {
   throw UsageError("--output " + output + ": its extension must be one of" + list);
 }
 
-std::vector<FileArgument> inputFiles(const OptionValues& values) { return filesOf(values, {"horizon", "fault", "dips", "config"}); }
+std::vector<FileArgument> inputFiles(const OptionValues& values) { return filesOf(values, {"horizon", "fault", "dips", "config", "extent"}); }
 std::vector<FileArgument> outputFiles(const OptionValues& values) { return filesOf(values, {"output", "report"}); }
 
 void checkResultNames(const OptionValues& values, const std::vector<std::string>& names) {

@@ -87,7 +87,8 @@ private:
     html += table({"reason", "picks"}, {{"on the wrong side of a fault", std::to_string(r_.wrong_side_picks)},
                                        {"smeared along a fault, on neither sheet", std::to_string(r_.smeared_picks)},
                                        {"within the clearance of a fault", std::to_string(r_.picks_at_faults)},
-                                       {"strays: alone on their side of a fault", std::to_string(r_.stray_picks)}});
+                                       {"strays: alone on their side of a fault", std::to_string(r_.stray_picks)},
+                                       {"no surface near", std::to_string(r_.uncovered_picks)}});
     html += "<h3>Options in force</h3>\n";
     if (!options_.empty())
       html += "<p><code>" + htmlText(options_) + "</code></p>\n";

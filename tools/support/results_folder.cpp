@@ -111,10 +111,12 @@ const char* wordsFor(PickReason reason) {
     return "within the clearance of a fault";
   case PickReason::Stray:
     return "stray: few, alone on their side of a fault";
+  case PickReason::Uncovered:
+    return "no surface near";
   case PickReason::Good:
     break;
   }
-  return "no surface near";
+  return "";
 }
 
 /// The picks that take no part in the surface, and those that no surface comes near.
@@ -122,7 +124,7 @@ void writeSetAside(const fs::path& dir, const ReconstructionResult& result) {
   std::vector<double> number, x, y, z;
   std::vector<std::string> reason;
   for (std::size_t i = 0; i < result.picks.size(); ++i) {
-    if (!result.picks[i].allFinite() || (result.pick_reason[i] == PickReason::Good && result.pick_piece[i] >= 0))
+    if (!result.picks[i].allFinite() || (result.pick_reason[i] == PickReason::Good))
       continue;
     number.push_back(static_cast<double>(i + 1));
     x.push_back(result.picks[i].x());

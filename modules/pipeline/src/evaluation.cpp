@@ -112,16 +112,44 @@ std::vector<float> residualAtVertices(const TriangleMesh& mesh, const std::vecto
   return mean;
 }
 
-/// The share of the picks not set aside that have the surface within reach.
-double coverage(const std::vector<double>& distance, const std::vector<PickReason>& reasons, double reach) {
-  std::size_t used = 0;
-  std::size_t covered = 0;
+/// The pick farthest from the surface of those it does not come near.
+struct Uncovered {
+  std::size_t count = 0;
+  std::size_t farthest = 0; ///< its index
+};
+
+/// Gives the picks that took part but have no surface within reach their reason.
+Uncovered markUncovered(const std::vector<double>& distance, double reach, std::vector<PickReason>& reasons) {
+  Uncovered found;
   for (std::size_t p = 0; p < distance.size(); ++p) {
-    const bool takes_part = std::isfinite(distance[p]) && reasons[p] == PickReason::Good;
-    used += takes_part ? 1 : 0;
-    covered += takes_part && distance[p] <= reach ? 1 : 0;
+    if (reasons[p] != PickReason::Good || !std::isfinite(distance[p]) || distance[p] <= reach)
+      continue;
+    reasons[p] = PickReason::Uncovered;
+    if (found.count == 0 || distance[p] > distance[found.farthest])
+      found.farthest = p;
+    ++found.count;
   }
-  return used > 0 ? static_cast<double>(covered) / static_cast<double>(used) : 0.0;
+  return found;
+}
+
+/// Of those named the picks that took part in the surface, or those that did not; none that has no distance.
+std::vector<Index> picksThatAre(bool good, const std::vector<double>& distance, const std::vector<PickReason>& reasons, const std::vector<Index>* among) {
+  std::vector<Index> found;
+  const std::size_t count = among != nullptr ? among->size() : reasons.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Index pick = among != nullptr ? (*among)[i] : static_cast<Index>(i);
+    const auto at = static_cast<std::size_t>(pick);
+    if ((reasons[at] == PickReason::Good) == good && std::isfinite(distance[at]))
+      found.push_back(pick);
+  }
+  return found;
+}
+
+std::string sayUncovered(const Uncovered& found, const Vector3& farthest, double distance) {
+  char text[256];
+  std::snprintf(text, sizeof(text), "%zu picks have no surface near them and are set aside; the farthest, %.4g from it, is at x %.10g, y %.10g, z %.6g.",
+                found.count, distance, farthest.x(), farthest.y(), farthest.z());
+  return text;
 }
 
 } // namespace
@@ -151,13 +179,19 @@ PicksOnSurface evaluatePicks(TriangleMesh& mesh, const JudgingPicks& picks, unsi
   if (mesh.empty())
     return {std::vector<Index>(picks.points.size(), -1), std::vector<float>(picks.points.size(), kNone)};
   PickDistances found = pickDistances(mesh, picks.points, threads);
-  report.coverage = coverage(found.distance, picks.reasons, report.used.rho + report.used.delta);
-  report.zone_after_fit = approximationError(found.distance, picks.zone, threads);
+  const Uncovered uncovered = markUncovered(found.distance, report.used.rho + report.used.delta, picks.reasons);
+  const std::vector<Index> used = picksThatAre(true, found.distance, picks.reasons, nullptr);
+  report.uncovered_picks = uncovered.count;
+  report.coverage = used.empty() ? 0.0 : static_cast<double>(used.size()) / static_cast<double>(used.size() + uncovered.count);
+  if (uncovered.count > 0)
+    report.warnings.push_back(sayUncovered(uncovered, picks.frame.toUser(picks.points[uncovered.farthest]), found.distance[uncovered.farthest]));
+  report.zone_after_fit = approximationError(found.distance, picksThatAre(true, found.distance, picks.reasons, &picks.zone), threads);
+  report.set_aside = approximationError(found.distance, picksThatAre(false, found.distance, picks.reasons, nullptr), threads);
   PicksOnSurface on_surface;
   on_surface.residual = residuals(mesh, picks.points, found, report.used.z_scale, threads);
   mesh.scalars["residual"] = residualAtVertices(mesh, found.triangle, on_surface.residual, picks.reasons);
   toPieces(mesh, found.distance, report.used.fault_reach, threads, found.triangle);
-  report.all_picks = approximationError(std::move(found.distance), threads);
+  report.all_picks = approximationError(found.distance, used, threads);
   on_surface.piece = std::move(found.triangle);
   return on_surface;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/local_frame.h"
 #include "graben/faults/fault_network.h"
 #include "graben/filters/wrong_side_picks.h"
 #include "graben/mesh/components.h"
@@ -30,7 +31,8 @@ void evaluate(const FinishedSurface& surface, unsigned threads, ReconstructionRe
 struct JudgingPicks {
   const Points& points;
   const std::vector<Index>& zone; ///< those near the faults
-  const std::vector<PickReason>& reasons;
+  std::vector<PickReason>& reasons; ///< those that no surface comes near are marked there
+  const LocalFrame& frame;          ///< for places named to the user
 };
 
 /// Fills in how many picks take no part, by their reasons.
@@ -42,7 +44,7 @@ struct PicksOnSurface {
   std::vector<float> residual; ///< distance to the surface in z units, positive above it; NaN for a pick that is not finite
 };
 
-/// Fills in the picks' distances to the finished mesh, and its field `residual`: for each vertex the mean over the picks not set aside that lie at its
+/// Fills in the picks' distances to the finished mesh, with a warning if it comes near to some of them nowhere, and its field `residual`: for each vertex the mean over the picks not set aside that lie at its
 /// triangles, NaN where there are none.
 PicksOnSurface evaluatePicks(TriangleMesh& mesh, const JudgingPicks& picks, unsigned threads, ReconstructionReport& report);
 

@@ -98,7 +98,7 @@ public:
       ends += on;
       return on;
     };
-    result = extendedAlongStrike(result, options_.extension, goes_on);
+    result = extendedAlongStrike(result, options_.along_strike, goes_on);
     sayWhat(ends);
     return result;
   }
@@ -153,14 +153,14 @@ private:
   }
 
   void sayWhat(int ends) {
-    length_ = std::max(extended_, ends > 0 ? options_.extension : 0.0);
+    length_ = std::max(extended_, ends > 0 ? options_.along_strike : 0.0);
     if (extended_ > 0.0)
       notes_.push_back("Fault " + name_ + " was extended along its dip by up to " + shortNumber(extended_) + " to reach the horizon.");
     else if (short_of_ > 0.0)
       notes_.push_back("Fault " + name_ + " ends up to " + shortNumber(short_of_) +
                        " short of the horizon, where the picks show no step: it was not extended. --extend-faults D extends all faults by D.");
     if (ends > 0)
-      notes_.push_back("Fault " + name_ + " was extended along its strike by " + shortNumber(options_.extension) + " at " +
+      notes_.push_back("Fault " + name_ + " was extended along its strike by " + shortNumber(options_.along_strike) + " at " +
                        (ends == 1 ? "one end" : "both ends") + ", where the picks end too.");
   }
 

@@ -8,6 +8,7 @@ namespace graben {
 
 struct FaultPreparation {
   double extension = 0.0;     ///< how far faults are continued, in local units
+  double along_strike = 0.0;  ///< how far at the data's edge, in local units
   double pick_distance = 0.0; ///< mean distance of the picks, in local units
   LoftOptions loft;
   bool extend_always = false; ///< also where the picks show no step

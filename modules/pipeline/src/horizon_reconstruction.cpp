@@ -3,6 +3,7 @@
 #include "reconstruction_job.h"
 
 #include "graben/core/errors.h"
+#include "graben/surface/map_outline.h"
 
 #include <cmath>
 
@@ -18,6 +19,8 @@ void checkOptions(const ReconstructionOptions& o) {
   for (const double length : {o.voxel_size, o.rho, o.delta, o.zone_width, o.fault_reach, o.clearance})
     check(std::isfinite(length) && length >= 0.0,
           "voxel size, rho, delta, zone width, fault reach and clearance must be positive numbers, or 0 to have them estimated");
+  check(o.fill_holes >= 0.0, "the size of holes to fill must be a positive number, infinity for all, or 0 for none");
+  check(o.extent != HorizonExtent::Polygon || !MapOutline(o.polygon).empty(), "the polygon to cover needs a ring of three places or more");
   check(o.neighbors == 0 || o.neighbors >= 3, "a tangent plane needs at least 3 neighbors");
   check(o.flip_angle >= 0.0 && o.flip_angle <= 180.0, "the flip angle must lie between 0 and 180 degrees");
   check(std::isfinite(o.z_scale) && o.z_scale > 0.0, "the z scale must be a positive number");

@@ -90,7 +90,7 @@ private:
       p = prepared_.frame.toLocal(p);
     placeBox();
     const NeighborGrid grid(all, 0.0, r.threads);
-    FaultPreparation preparation{reach, distance, {r.fault_smoothing, r.fault_dip, {}}};
+    FaultPreparation preparation{reach, reach, distance, {r.fault_smoothing, r.fault_dip, {}}};
     if (r.fault_dip)
       preparation.loft.horizon = bounds_;
     std::vector<FaultSurface> surfaces = prepareFaults(faults, prepared_.frame, grid, preparation, result_.warnings, result_.notes);

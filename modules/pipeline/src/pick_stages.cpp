@@ -7,6 +7,8 @@
 #include "graben/core/sort_unique.h"
 #include "graben/filters/fault_distance.h"
 #include "graben/filters/stray_picks.h"
+#include "graben/surface/extent_fill.h"
+#include "graben/surface/fault_ramps.h"
 #include "graben/surface/fault_shadows.h"
 
 #include <algorithm>
@@ -148,6 +150,8 @@ void ReconstructionJob::carryAcrossShadows() {
   o.mean_distance = mean_distance_;
   o.limit = options_.fault_reach;
   o.threads = options_.threads;
+  if (options_.clearance == 0.0)
+    sayRamps(fit);
   FaultShadowFill fill = fillFaultShadows(fit, o);
   result_.report.shadows.support = fill.support;
   result_.report.shadows.degree = fill.model.degree;
@@ -159,6 +163,57 @@ void ReconstructionJob::carryAcrossShadows() {
   }
   if (!fill.places.empty())
     addPlaces(std::move(fill.places), fill.normals);
+}
+
+/// In the local frame.
+MapOutline ReconstructionJob::outlineToCover() const {
+  if (options_.extent == HorizonExtent::Data)
+    return {};
+  if (options_.extent == HorizonExtent::Hull)
+    return MapOutline::hullOf(picks_.points);
+  std::vector<Points> rings = options_.polygon;
+  for (Points& ring : rings)
+    for (Vector3& p : ring)
+      p = result_.frame.toLocal(Vector3(p.x(), p.y(), 0.0));
+  return MapOutline(rings);
+}
+
+/// Where holes are to be covered, or more than the picks cover, places on the surface carried on stand in for picks.
+void ReconstructionJob::coverExtent() {
+  if (outline_.empty() && options_.fill_holes == 0.0)
+    return;
+  const LocalFit fit(grid_, planes_, faults_, boundsOf(picks_.points, options_.threads).diagonal(), mean_distance_);
+  ExtentFillOptions o;
+  o.outline = outline_;
+  o.holes = options_.fill_holes;
+  o.reach = rhoPlusDelta();
+  o.noise = result_.report.used.delta;
+  o.step = mean_distance_;
+  o.threads = options_.threads;
+  ExtentFill fill = fillExtent(fit, o);
+  ExtentReport& report = result_.report.extent;
+  report.kind = options_.extent == HorizonExtent::Data ? "data" : options_.extent == HorizonExtent::Hull ? "hull" : "polygon";
+  report.places = fill.places.size();
+  report.farthest = fill.farthest;
+  report.holes = fill.holes;
+  report.open = fill.open;
+  report.widest_open = fill.widest_open;
+  if (!fill.places.empty())
+    addPlaces(std::move(fill.places), fill.normals);
+}
+
+/// Picks that a gridder has drawn across a fault look like a surface that bends to it.
+void ReconstructionJob::sayRamps(const LocalFit& fit) {
+  if (mostlyLines())
+    return; // between lines nobody can tell
+  FaultRampOptions o;
+  o.mean_distance = mean_distance_;
+  o.noise = result_.report.sampling.sigma;
+  o.threads = options_.threads;
+  for (const FaultRamp& ramp : findFaultRamps(fit, o))
+    result_.report.warnings.push_back("The picks run through fault " + faults_.fault(static_cast<std::size_t>(ramp.fault)).name + " as a ramp: within " +
+                                      shortNumber(ramp.width) + " of it they lie off the surfaces beside it by " + shortNumber(ramp.height) +
+                                      " in all. If a gridder or a tracker has bridged it, --clearance " + shortNumber(ramp.width) + " leaves them out.");
 }
 
 /// The cloud worked on with places more, all in order again.
@@ -191,8 +246,6 @@ void ReconstructionJob::addPlaces(Points places, const Points& normals) {
     planes.normals[i] = is_place ? normals[from - old] : planes_.normals[from];
     planes.reach[i] = is_place ? static_cast<float>(mean_distance_) : planes_.reach[from];
     reasons[i] = is_place ? PickReason::Good : reasons_[from];
-    if (is_place)
-      carried_.push_back(static_cast<Index>(i));
   }
   const auto moved = [&](Index& i) { i = i >= 0 ? place_of[static_cast<std::size_t>(i)] : -1; };
   for (MeasuredNormal& m : picks_.measured)
@@ -201,6 +254,9 @@ void ReconstructionJob::addPlaces(Points places, const Points& normals) {
     moved(pick);
   std::sort(aside_.begin(), aside_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::for_each(given_->point_of.begin(), given_->point_of.end(), moved);
+  std::for_each(carried_.begin(), carried_.end(), moved);
+  carried_.insert(carried_.end(), place_of.begin() + static_cast<std::ptrdiff_t>(old), place_of.end());
+  std::sort(carried_.begin(), carried_.end());
   planes.measured = std::move(planes_.measured);
   std::for_each(planes.measured.begin(), planes.measured.end(), moved);
   std::sort(planes.measured.begin(), planes.measured.end());

@@ -2,6 +2,7 @@
 
 #include "evaluation.h"
 #include "extrapolation.h"
+#include "verdict.h"
 #include "fault_preparation.h"
 
 #include "graben/analysis/approximation_error.h"
@@ -14,6 +15,7 @@
 #include "graben/features/orientation.h"
 #include "graben/mesh/components.h"
 #include "graben/mesh/normals.h"
+#include "graben/surface/extent_fill.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,6 +78,7 @@ void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faul
   orient();
   begin("fault shadows");
   carryAcrossShadows();
+  coverExtent();
   begin("marching cubes");
   SheetMesh sheets = extract();
   begin("cut");
@@ -116,6 +119,7 @@ void ReconstructionJob::toLocalFrame(Points picks, const std::vector<DipMeasurem
   result_.frame = prepared_ != nullptr ? prepared_->frame : LocalFrame::around(picks, options_.z_positive, options_.z_scale, options_.threads);
   picks_ = orderPicks(std::move(picks), dips, result_.frame, options_.threads, result_.report);
   grid_ = NeighborGrid(picks_.points, std::exchange(picks_.keys, nullptr), options_.threads);
+  outline_ = outlineToCover();
   result_.report.picks = picks_.picks;
   result_.report.picks_not_finite = picks_.points.size() - grid_.size() - result_.report.picks_repeated;
 }
@@ -155,7 +159,9 @@ void ReconstructionJob::prepareParameters() {
 
 void ReconstructionJob::buildFaults(const std::vector<FaultGeometry>& faults) {
   const double reach = result_.report.used.fault_reach;
-  FaultPreparation preparation{options_.extend_faults.value_or(reach), mean_distance_, {options_.fault_smoothing, options_.fault_dip, {}},
+  const double extension = options_.extend_faults.value_or(reach);
+  const double along_strike = extension > 0.0 ? std::max(extension, farthestBeyondPicks(picks_.points, outline_)) : 0.0;
+  FaultPreparation preparation{extension, along_strike, mean_distance_, {options_.fault_smoothing, options_.fault_dip, {}},
                                options_.extend_faults.has_value()};
   if (options_.fault_dip)
     preparation.loft.horizon = boundsOf(picks_.points, options_.threads);
@@ -215,7 +221,8 @@ void ReconstructionJob::finish() {
     normals_ = std::move(planes_.normals);
   planes_ = TangentPlanes();
   measureSurface();
-  PicksOnSurface on_surface = evaluatePicks(cut_.mesh, {picks_.points, zone_, reasons_}, options_.threads, result_.report);
+  PicksOnSurface on_surface = evaluatePicks(cut_.mesh, {picks_.points, zone_, reasons_, result_.frame}, options_.threads, result_.report);
+  judgeResult(result_.report);
   if (options_.keep_picks)
     handOutPicks(std::move(on_surface));
   picks_ = OrderedPicks();

@@ -15,6 +15,7 @@
 #include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
 #include "graben/surface/local_fit.h"
+#include "graben/surface/map_outline.h"
 #include "graben/surface/sheet_extraction.h"
 #include "graben/surface/signed_distance.h"
 
@@ -58,6 +59,9 @@ private:
   void setStraysAside();
   void setWrongSidePicksAside();
   void carryAcrossShadows();
+  void sayRamps(const LocalFit& fit);
+  MapOutline outlineToCover() const;
+  void coverExtent();
   void addPlaces(Points places, const Points& normals);
   void keepGiven();
   void takeCarriedPlacesOut();
@@ -94,7 +98,8 @@ private:
   StageClock clock_;
   OrderedPicks picks_;              ///< that the stages work on
   std::optional<GivenPicks> given_; ///< where the cloud worked on is another: picks along lines are balanced, places are added in fault shadows
-  std::vector<Index> carried_;      ///< places on the surface carried on across fault shadows, among the picks worked on
+  std::vector<Index> carried_;      ///< places on the surface carried on where there are no picks, among the picks worked on
+  MapOutline outline_;              ///< to be covered whole; empty: what the picks cover
   std::vector<PickReason> reasons_;              ///< of each of them
   std::vector<std::pair<Index, Vector3>> aside_; ///< those set aside
   double mean_distance_ = 0.0;

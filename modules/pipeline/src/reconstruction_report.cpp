@@ -33,6 +33,10 @@ Json json(const ShadowReport& shadows) {
   return list;
 }
 
+Json json(const ExtentReport& e) {
+  return {{"kind", e.kind}, {"places", e.places}, {"farthest", e.farthest}, {"holes_covered", e.holes}, {"holes_open", e.open}, {"widest_open", e.widest_open}};
+}
+
 Json json(const Vector3& p) { return Json::array({p.x(), p.y(), p.z()}); }
 
 Json json(const UsedParameters& u) {
@@ -117,10 +121,11 @@ Json reportTree(const ReconstructionReport& r, bool with_timings) {
   j["complete"] = true;
   j["figures"] = figures(r);
   j["picks"] = {{"count", r.picks}, {"not_finite", r.picks_not_finite}, {"repeated", r.picks_repeated}, {"wrong_side", r.wrong_side_picks},
-                {"smeared", r.smeared_picks}, {"at_faults", r.picks_at_faults}, {"strays", r.stray_picks}};
+                {"smeared", r.smeared_picks}, {"at_faults", r.picks_at_faults}, {"strays", r.stray_picks}, {"uncovered", r.uncovered_picks}};
   j["dip_measurements"] = {{"count", r.measurements}, {"not_usable", r.measurements_not_usable}, {"set_aside", r.measurements_set_aside}};
   j["layout"] = json(r.layout);
   j["fault_shadows"] = json(r.shadows);
+  j["extent"] = json(r.extent);
   j["sampling"] = json(r.sampling);
   j["parameters"] = json(r.used);
   j["faults"] = Json::array();
@@ -134,6 +139,7 @@ Json reportTree(const ReconstructionReport& r, bool with_timings) {
   j["approximation_error"] = {{"zone_before_fit", toJson<Json>(r.zone_before_fit)},
                               {"zone_after_fit", toJson<Json>(r.zone_after_fit)},
                               {"all_picks", toJson<Json>(r.all_picks)},
+                              {"set_aside", toJson<Json>(r.set_aside)},
                               {"left_out_away", r.left_out_away},
                               {"left_out_near", r.left_out_near}};
   j["topology"] = toJson<Json>(r.topology);

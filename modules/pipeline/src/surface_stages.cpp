@@ -25,20 +25,15 @@ constexpr double kBesideFaults = 3.0; // voxels; where the zone fit is wanted be
 
 } // namespace
 
-/// The picks in the zone, those set aside too; of picks along lines all that were given.
+/// The picks in the zone that the surface is made from; of a balanced cloud those that its points stand for.
 Points ReconstructionJob::zonePoints() const {
   const std::vector<Index> of_given =
     given_ ? zonePicks(given_->picks.points, faults_, result_.report.used.zone_width, options_.threads) : std::vector<Index>();
-  const Points& points = given_ ? given_->picks.points : picks_.points;
-  const std::vector<Index>& zone = given_ ? of_given : zone_;
   Points zone_points;
-  zone_points.reserve(zone.size());
-  auto next = aside_.begin();
-  for (const Index pick : zone) {
-    while (!given_ && next != aside_.end() && next->first < pick)
-      ++next;
-    const bool is_aside = !given_ && next != aside_.end() && next->first == pick;
-    zone_points.push_back(is_aside ? next->second : points[static_cast<std::size_t>(pick)]);
+  for (const Index pick : given_ ? of_given : zone_) {
+    const Index point = given_ ? given_->point_of[static_cast<std::size_t>(pick)] : pick;
+    if (point >= 0 && reasons_[static_cast<std::size_t>(point)] == PickReason::Good)
+      zone_points.push_back((given_ ? given_->picks.points : picks_.points)[static_cast<std::size_t>(pick)]);
   }
   return zone_points;
 }
@@ -80,6 +75,7 @@ SheetMesh ReconstructionJob::extract() {
       border.overhang = std::clamp(kOverhangOfLines * given_->layout.line_distance, border.overhang, h);
     border.threads = options_.threads;
     trimToData(sheets, field, border);
+    clipToOutline(sheets, outline_, options_.extent == HorizonExtent::Polygon ? 0.0 : border.overhang, options_.threads);
   }
   result_.report.cells = sheets.cells;
   result_.report.rejected_by_flip_angle = sheets.rejected_by_flip_angle;

@@ -1,19 +1,18 @@
 #include "graben/surface/data_border.h"
 
+#include "sheet_clip.h"
 #include "vertex_moves.h"
 
 #include "graben/core/threads.h"
 #include "graben/mesh/normals.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace graben {
 
 namespace {
 
 constexpr int kRings = 3;
-constexpr double kLeast = 0.35; // of an edge: crossings nearer to the kept end would make slivers
 
 std::uint64_t mixed(Index v) {
   std::uint64_t x = (static_cast<std::uint64_t>(v) + 1) * 0x9e3779b97f4a7c15ULL;
@@ -45,18 +44,6 @@ std::vector<std::uint8_t> borderVertices(const TriangleMesh& mesh, unsigned thre
   return border;
 }
 
-/// Leaves out the entries at the given places, which are in rising order.
-template <typename T>
-void erase(std::vector<T>& values, const std::vector<std::size_t>& places) {
-  if (places.empty())
-    return;
-  const auto at = [&values](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
-  auto kept = at(places.front());
-  for (std::size_t i = 0; i < places.size(); ++i)
-    kept = std::move(at(places[i] + 1), i + 1 < places.size() ? at(places[i + 1]) : values.end(), kept);
-  values.erase(kept, values.end());
-}
-
 class DataBorder {
 public:
   DataBorder(SheetMesh& sheets, const SignedDistance& field, const DataBorderOptions& options)
@@ -66,28 +53,10 @@ public:
     findBelt();
     findTriangles();
     measure();
-    std::vector<Triangle> pieces;
-    std::vector<Index> homes;
-    std::vector<std::size_t> dropped;
-    for (const std::size_t t : near_) {
-      const Triangle& triangle = mesh_.triangles[t];
-      if (keeps(triangle[0]) && keeps(triangle[1]) && keeps(triangle[2]))
-        continue;
-      dropped.push_back(t);
-      keepPart(triangle, pieces);
-      homes.resize(pieces.size(), sheets_.home[t]);
-    }
-    erase(mesh_.triangles, dropped);
-    erase(sheets_.home, dropped);
-    mesh_.triangles.insert(mesh_.triangles.end(), pieces.begin(), pieces.end());
-    sheets_.home.insert(sheets_.home.end(), homes.begin(), homes.end());
+    detail::clipSheets(sheets_, near_, {[this](Index v) { return beyond(v); }, options_.overhang});
   }
 
 private:
-  bool keeps(Index v) const {
-    const Index place = belt_place_[static_cast<std::size_t>(v)];
-    return place < 0 || beyond_[static_cast<std::size_t>(place)] <= options_.overhang;
-  }
   double beyond(Index v) const {
     const Index place = belt_place_[static_cast<std::size_t>(v)];
     return place < 0 ? 0.0 : beyond_[static_cast<std::size_t>(place)];
@@ -139,40 +108,6 @@ private:
     });
   }
 
-  Index crossing(Index in, Index out) {
-    const std::uint64_t key = (static_cast<std::uint64_t>(in) << 32) | static_cast<std::uint64_t>(out);
-    const auto [entry, added] = crossings_.try_emplace(key, static_cast<Index>(mesh_.vertices.size()));
-    if (added) {
-      const double a = beyond(in);
-      const double b = beyond(out);
-      const double t = std::clamp((options_.overhang - a) / (b - a), kLeast, 1.0);
-      const Vector3 p = mesh_.vertices[static_cast<std::size_t>(in)];
-      mesh_.vertices.push_back(p + t * (mesh_.vertices[static_cast<std::size_t>(out)] - p));
-      belt_place_.push_back(-1);
-    }
-    return entry->second;
-  }
-
-  void keepPart(const Triangle& t, std::vector<Triangle>& out) {
-    const int kept = keeps(t[0]) + keeps(t[1]) + keeps(t[2]);
-    if (kept == 0)
-      return;
-    std::size_t odd = 0; // the corner that differs from the other two
-    while (keeps(t[odd]) != (kept == 1))
-      ++odd;
-    const Index a = t[odd];
-    const Index b = t[(odd + 1) % 3];
-    const Index c = t[(odd + 2) % 3];
-    if (kept == 1) {
-      out.push_back({a, crossing(a, b), crossing(a, c)});
-      return;
-    }
-    const Index ab = crossing(b, a);
-    const Index ac = crossing(c, a);
-    out.push_back({b, c, ac});
-    out.push_back({b, ac, ab});
-  }
-
   SheetMesh& sheets_;
   TriangleMesh& mesh_;
   const SignedDistance& field_;
@@ -181,7 +116,6 @@ private:
   std::vector<Index> belt_place_; ///< of each vertex in belt_, -1 if it is not there
   std::vector<std::size_t> near_; ///< triangles with a corner there
   std::vector<double> beyond_;    ///< distance beyond the data of each vertex in belt_, 0 inside
-  std::unordered_map<std::uint64_t, Index> crossings_;
 };
 
 } // namespace

@@ -21,5 +21,18 @@ TEST(BridgedGrid, IsRightWithAClearance) {
     test::expectRight(judged, model, {0.6, 1.5, 4.0});
 }
 
+/// Without one it is said.
+TEST(BridgedGrid, IsSaidWithTheOptionToUse) {
+  SyntheticOptions o;
+  o.size = 3000.0;
+  o.relief = 30.0;
+  o.noise = 0.3;
+  o.sampling.kind = SyntheticSamplingKind::Grid;
+  o.sampling.line_distance = 30.0;
+  EXPECT_FALSE(test::judge(SyntheticModel(o), SyntheticModel(o).picks().points, 60.0).says("--clearance"));
+  o.sampling.bridge = 75.0;
+  EXPECT_TRUE(test::judge(SyntheticModel(o), SyntheticModel(o).picks().points, 60.0).says("--clearance"));
+}
+
 } // namespace
 } // namespace graben

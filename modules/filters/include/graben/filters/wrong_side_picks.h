@@ -14,7 +14,8 @@ enum class PickReason : std::uint8_t {
   WrongSide = 1, ///< it belongs to the sheet on the other side of the fault near it
   Smeared = 2,   ///< it lies between the two sheets at a fault, on neither
   AtFault = 3,   ///< it lies within the clearance of a fault that was asked for
-  Stray = 4      ///< it is one of a few picks near a fault that are all alone on their side
+  Stray = 4,     ///< it is one of a few picks near a fault that are all alone on their side
+  Uncovered = 5  ///< no surface comes near it
 };
 
 /// Lengths are in the picks' units; 0 stands for the estimate named.

@@ -27,6 +27,13 @@ struct FaultGeometry {
   ZPositive z_positive = ZPositive::Unknown; ///< Unknown: as the picks'
 };
 
+/// What the surface is to cover.
+enum class HorizonExtent {
+  Data,    ///< what the picks cover; holes wider than about twice rho stay open
+  Hull,    ///< the convex hull of the picks on the map, whole
+  Polygon, ///< an area of the map, whole, and nothing beyond it
+};
+
 /// Everything that can be set. A value of 0 means: estimate it from the picks.
 struct ReconstructionOptions {
   double voxel_size = 0.0;   ///< h, edge of a marching-cubes cell, in the picks' x, y units; 0: the picks' mean distance
@@ -38,6 +45,9 @@ struct ReconstructionOptions {
   double fault_reach = 0.0;  ///< farthest the surface is carried on from the last picks to a fault, in x, y units; 0: as far as picks stop before it, up
                              ///< to a sixth of the cloud's diagonal
   double clearance = 0.0;    ///< picks nearer to a fault than this are left out, in x, y units: a gridder has bridged it, a tracker smeared along it
+  HorizonExtent extent = HorizonExtent::Data;
+  std::vector<Points> polygon; ///< for HorizonExtent::Polygon: its rings in the user's frame, closed or not; z is not looked at
+  double fill_holes = 0.0;   ///< holes no wider than this are covered too, in x, y units; 0: none, infinity: all
   std::optional<double> extend_faults;   ///< along dip and, at the data's edge, strike, in x, y units; 0: not. Unset: by up to fault_reach, along dip where
                                          ///< the picks of a fault's two sides disagree or are within a pick's distance of it
   std::optional<double> fault_smoothing; ///< standard deviation of the faults' nodes about smooth surfaces, in x, y units; 0: kept exactly; see LoftOptions

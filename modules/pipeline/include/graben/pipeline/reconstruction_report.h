@@ -92,6 +92,16 @@ struct ShadowReport {
   double support = 0.0;      ///< its radius, in widths of the shadow
 };
 
+/// What was covered where there are no picks, in x, y units.
+struct ExtentReport {
+  std::string kind = "data"; ///< data, hull or polygon
+  std::size_t places = 0;    ///< added on the surface carried on
+  double farthest = 0.0;     ///< of these from the nearest pick
+  std::size_t holes = 0;     ///< covered
+  std::size_t open = 0;      ///< wider than was to be covered; counted where fill_holes was asked for
+  double widest_open = 0.0;  ///< the widest of them
+};
+
 /// What a reconstruction says of itself.
 struct ReconstructionReport {
   std::size_t picks = 0;
@@ -100,12 +110,14 @@ struct ReconstructionReport {
   std::size_t wrong_side_picks = 0;      ///< picks set aside because they lie on the wrong side of a fault
   std::size_t smeared_picks = 0;         ///< picks set aside because they lie between the two sheets at a fault
   std::size_t picks_at_faults = 0;       ///< picks set aside because they lie within the clearance of a fault
+  std::size_t uncovered_picks = 0;       ///< picks that no surface comes near, as within rho + delta
   std::size_t stray_picks = 0;           ///< picks set aside because they are all alone on their side of a fault
   std::size_t measurements = 0;            ///< dip measurements given
   std::size_t measurements_not_usable = 0; ///< of these left out: not finite, or far from all picks
   std::size_t measurements_set_aside = 0;  ///< of these set aside as picks are; they count there too
   PickLayoutReport layout;
   ShadowReport shadows;
+  ExtentReport extent;
   Sampling sampling;                     ///< of the picks or, where they lie along lines, of the balanced cloud that stands for them
   UsedParameters used;
   std::vector<FaultReport> faults;
@@ -114,9 +126,10 @@ struct ReconstructionReport {
   std::size_t folds_removed = 0;         ///< triangles still folded over after the fit, left out of the mesh
   std::size_t bridges_removed = 0;       ///< triangles that still reached over a fault after the fit, left out of the mesh
   std::size_t crumbs_removed = 0;        ///< components left out: of under 20 triangles or, with faults, (2 (rho + delta))^2
-  DistanceStatistics zone_before_fit;    ///< E(M, X) over the picks in the zone
+  DistanceStatistics zone_before_fit;    ///< E(M, X) over the picks in the zone that the surface is made from
   DistanceStatistics zone_after_fit;
-  DistanceStatistics all_picks;          ///< over all picks, after the fit
+  DistanceStatistics all_picks;          ///< over all picks that it is made from, after the fit
+  DistanceStatistics set_aside;          ///< over those set aside for any reason
   double left_out_away = 0.0;            ///< RMS by which the local fit misses picks left out, away from the faults and near them; 0: not fitted
   double left_out_near = 0.0;
   double coverage = 0.0;                 ///< share of the picks not set aside that have the surface within rho + delta
