@@ -64,15 +64,21 @@ void ReconstructionJob::balance() {
 void ReconstructionJob::checkMeasurements() {
   if (picks_.measured.empty())
     return;
+  OrderedPicks& picks = given_ ? given_->picks : picks_;
+  NeighborGrid& grid = given_ ? given_->grid : grid_;
   const double reach = kMeasurementReach * rhoPlusDelta();
-  const std::size_t far = dropFarMeasurements(picks_, grid_, reach);
+  const std::size_t far = dropFarMeasurements(picks, grid, reach);
   result_.report.measurements_not_usable += far;
   if (far == 0)
     return;
   result_.report.warnings.push_back(std::to_string(far) + " of " + std::to_string(result_.report.measurements) +
                                     " dip measurements are farther than " + shortNumber(reach) +
                                     " from all picks and were left out; check their coordinates, their units and which way their z grows.");
-  grid_ = grid_.withoutThoseTakenOut(options_.threads);
+  grid = grid.withoutThoseTakenOut(options_.threads);
+  if (given_) {
+    picks_ = {};
+    balance();
+  }
 }
 
 /// Picks that take no part in the surface stay in the results, each with its reason.

@@ -90,7 +90,7 @@ TEST(Dips, ThatCannotFitAreLeftOutWithAWarning) {
   w.dips.push_back({Vector3(500, 500, 3000), Vector3::UnitZ()});
   const ReconstructionResult result = HorizonReconstruction(options()).reconstruct(w.picks, std::vector<FaultGeometry>(), w.dips);
   EXPECT_EQ(result.report.measurements_not_usable, 3U);
-  ASSERT_EQ(result.report.warnings.size(), 2U);
+  ASSERT_EQ(result.report.warnings.size(), 2U) << testing::PrintToString(result.report.warnings);
   EXPECT_THAT(result.report.warnings[0], HasSubstr("2 of 328 dip measurements are not finite"));
   EXPECT_THAT(result.report.warnings[1], HasSubstr("1 of 328 dip measurements are farther than"));
   EXPECT_THAT(toJson(result.report), HasSubstr("\"not_usable\": 3"));

@@ -63,7 +63,7 @@ TEST(Extent, TheHullIsCoveredWholeAndNothingBeyond) {
   test::expectRight(judged, model, {3.0, 3.0, 4.0});
   const MapOutline hull = MapOutline::hullOf(model.picks().points);
   for (const Vector3& v : judged.result.mesh.vertices)
-    EXPECT_LT(hull.beyond(v), judged.result.report.used.voxel_size);
+    EXPECT_LT(hull.beyond(v), 1.2 * judged.result.report.used.voxel_size);
   EXPECT_EQ(judged.result.report.topology.border_loops, 2U);
 }
 
@@ -75,7 +75,7 @@ TEST(Extent, APolygonIsCoveredWholeBeyondThePicksAndCutsThemOff) {
   const ReconstructionResult result = HorizonReconstruction(options).reconstruct(model.picks().points);
   EXPECT_NEAR(mapArea(result.mesh), 2900.0 * 2000.0, 0.03 * 2900.0 * 2000.0);
   EXPECT_EQ(result.report.topology.border_loops, 1U);
-  EXPECT_NEAR(result.report.extent.farthest, 400.0, 60.0);
+  EXPECT_NEAR(result.report.extent.farthest, 400.0, 100.0);
   double marked = 0.0;
   const std::vector<float>& beyond = result.mesh.scalars.at("extrapolated");
   for (std::size_t v = 0; v < beyond.size(); ++v)
