@@ -1,5 +1,7 @@
 #pragma once
 
+#include "graben/core/interruption.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <exception>
@@ -15,6 +17,7 @@ unsigned threadCount(unsigned requested);
 ///
 /// Block limits depend on \a grain alone, so a body that writes only to its own range gives the same result for
 /// every number of threads. The first exception thrown by a body is rethrown after all threads have stopped.
+/// \throw Interrupted where the InterruptionScope of the calling thread asks for it
 template <typename Body>
 void parallelBlocks(std::size_t count, std::size_t grain, unsigned threads, const Body& body) {
   if (count == 0)
@@ -23,9 +26,13 @@ void parallelBlocks(std::size_t count, std::size_t grain, unsigned threads, cons
   const auto blocks = static_cast<std::ptrdiff_t>((count + grain - 1) / grain);
   std::exception_ptr failure;
   std::mutex failure_guard;
+  const std::atomic<bool>* const stop = InterruptionScope::current();
+  const auto stopped = [stop] { return stop != nullptr && stop->load(std::memory_order_relaxed); };
   const auto team = static_cast<int>(std::min<std::ptrdiff_t>(blocks, threadCount(threads)));
 #pragma omp parallel for schedule(dynamic) num_threads(team) if (team > 1)
   for (std::ptrdiff_t b = 0; b < blocks; ++b) {
+    if (stopped())
+      continue;
     try {
       const std::size_t begin = static_cast<std::size_t>(b) * grain;
       body(begin, std::min(count, begin + grain));
@@ -37,6 +44,8 @@ void parallelBlocks(std::size_t count, std::size_t grain, unsigned threads, cons
   }
   if (failure)
     std::rethrow_exception(failure);
+  if (stopped())
+    throw Interrupted();
 }
 
 /// Calls body(i) for every i in [0, count); see parallelBlocks.
