@@ -9,6 +9,8 @@ namespace graben {
 
 namespace {
 
+constexpr double kHuge = 1e12;
+
 /// Reads files one after the other into one local frame.
 class Collector {
 public:
@@ -35,25 +37,21 @@ public:
     return FaultSurface::loft(input.name, sticks);
   }
 
-  void addTruth(const std::string& file) {
-    for (const MeshInput& part : readMeshes(file)) {
-      note(part.notes);
-      append(files_.input.truth, local(part.mesh, turnOver(part.z_positive, file)));
-    }
+  void addTruth(const TruthPart& part) {
+    note(part.mesh.notes);
+    append(files_.input.truth, local(part.mesh.mesh, turnOver(part.mesh.z_positive, part.source)));
   }
 
-  void addCutoffs(const std::string& file) {
-    for (const FaultInput& lines : readFaults(file)) {
-      note(lines.notes);
-      const auto* sticks = std::get_if<std::vector<FaultStick>>(&lines.geometry);
-      if (sticks == nullptr)
-        throw InvalidInputError("reading cutoff lines",
-                                file + " holds a surface; cutoff lines are polylines (.pol .pl)");
-      const bool turn = turnOver(lines.z_positive, file);
-      for (const FaultStick& stick : *sticks) {
-        files_.input.cutoffs.push_back(local(stick.points, turn));
-        files_.cutoff_file.push_back(file);
-      }
+  void addCutoffs(const FaultInput& lines) {
+    note(lines.notes);
+    const auto* sticks = std::get_if<std::vector<FaultStick>>(&lines.geometry);
+    if (sticks == nullptr)
+      throw InvalidInputError("reading cutoff lines",
+                              lines.source + " holds a surface; cutoff lines are polylines (.pol .pl)");
+    const bool turn = turnOver(lines.z_positive, lines.source);
+    for (const FaultStick& stick : *sticks) {
+      files_.input.cutoffs.push_back(local(stick.points, turn));
+      files_.cutoff_file.push_back(lines.source);
     }
   }
 
@@ -108,38 +106,79 @@ void declareEvaluationInput(OptionParser& p) {
       .value("z-scale", "S", "z is multiplied by this for all distances", "1");
 }
 
-EvaluationFiles readEvaluationInput(const OptionValues& values) {
+void declareMeasuring(OptionParser& p) {
+  p.section("Measuring")
+      .value("zone-width", "W", "near a fault is what lies within this distance of it", "300")
+      .value("voxel-size", "H",
+             "what the surface was made with; vertices up to 0.01 H from a fault lie on it "
+             "(default: the median edge)")
+      .value("sigma", "S",
+             "noise of the picks; distances to the truth are then told, and limited, in sigma")
+      .value("pick-reach", "R",
+             "the truth counts as missing only within this distance of a pick, not in holes of the data (default: six mean distances)", "0")
+      .value("margin", "M", "nor where it is this near to the end of the area, away from faults", "0")
+      .value("samples", "N", "sample points on each surface and over the cutoff lines", "100000")
+      .value("threads", "N", "0: one per processor; the figures are the same for every number",
+             "0");
+}
+
+EvaluationOptions evaluationOptions(const OptionValues& values) {
+  EvaluationOptions o;
+  o.zone_width = values.number("zone-width", 1e-12, kHuge);
+  o.pick_reach = values.number("pick-reach", 0.0, kHuge);
+  o.margin = values.number("margin", 0.0, kHuge);
+  o.voxel_size = values.number("voxel-size", 0.0, kHuge);
+  o.samples = static_cast<std::size_t>(values.integer("samples", 1, 100000000));
+  o.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
+  return o;
+}
+
+EvaluationFiles joinEvaluation(const OptionValues& values, const EvaluationParts& parts) {
   EvaluationFiles files;
   Collector collector(files);
-  const std::vector<MeshInput> parts = readMeshes(values.positionals().front());
-  PickSet picks;
-  if (values.has("picks")) {
-    ReadOptions read;
-    read.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
-    picks = readPicks(values.text("picks"), read);
-    collector.note(picks.notes);
-  }
+  collector.note(parts.picks.notes);
   TriangleMesh mesh;
-  for (const MeshInput& part : parts) {
+  for (const MeshInput& part : parts.mesh) {
     collector.note(part.notes);
     append(mesh, part.mesh);
   }
-  files.frame = LocalFrame::around(mesh.vertices, zPositive(values, picks, parts),
+  files.frame = LocalFrame::around(mesh.vertices, zPositive(values, parts.picks, parts.mesh),
                                    values.number("z-scale", 1e-9, 1e9));
   files.input.mesh = collector.local(mesh);
-  files.input.picks = collector.local(picks.points);
+  files.input.picks = collector.local(parts.picks.points);
   std::vector<FaultSurface> faults;
-  for (const std::string& file : values.texts("fault"))
-    for (const FaultInput& fault : readFaults(file)) {
-      collector.note(fault.notes);
-      faults.push_back(collector.fault(fault));
-    }
+  for (const FaultInput& fault : parts.faults) {
+    collector.note(fault.notes);
+    faults.push_back(collector.fault(fault));
+  }
   files.input.faults = FaultNetwork(std::move(faults));
-  for (const std::string& file : values.texts("truth"))
-    collector.addTruth(file);
-  for (const std::string& file : values.texts("cutoffs"))
-    collector.addCutoffs(file);
+  for (const TruthPart& part : parts.truth)
+    collector.addTruth(part);
+  for (const FaultInput& lines : parts.cutoffs)
+    collector.addCutoffs(lines);
   return files;
+}
+
+EvaluationFiles readEvaluationInput(const OptionValues& values) {
+  EvaluationParts parts;
+  const auto add = [](auto& to, auto&& more) {
+    for (auto& item : more)
+      to.push_back(std::move(item));
+  };
+  parts.mesh = readMeshes(values.positionals().front());
+  if (values.has("picks")) {
+    ReadOptions read;
+    read.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
+    parts.picks = readPicks(values.text("picks"), read);
+  }
+  for (const std::string& file : values.texts("fault"))
+    add(parts.faults, readFaults(file));
+  for (const std::string& file : values.texts("truth"))
+    for (MeshInput& part : readMeshes(file))
+      parts.truth.push_back({file, std::move(part)});
+  for (const std::string& file : values.texts("cutoffs"))
+    add(parts.cutoffs, readFaults(file));
+  return joinEvaluation(values, parts);
 }
 
 } // namespace graben

@@ -35,7 +35,7 @@ void checkTogether(const OptionValues& values, const std::vector<FaultInput>& fa
     input.picks.z_positive = kWays[way];
   const InputFindings found = checkInput(input.picks, faults, check);
   if (!found.contradiction.empty() && !values.has("units-as-given"))
-    throw InvalidInputError("reading " + values.text("horizon") + " and its faults", found.contradiction);
+    throw InvalidInputError("reading " + input.picks.source + " and its faults", found.contradiction);
   if (!found.contradiction.empty())
     input.warnings.push_back(found.contradiction);
   input.notes.insert(input.notes.end(), found.notes.begin(), found.notes.end());
@@ -165,33 +165,41 @@ void declareParameterOptions(OptionParser& parser, bool with_extension) {
   parser.section("For comparisons").list("skip", "STEP", "steps to leave out, each of which makes the surface better: " + stepNames());
 }
 
+HorizonInput joinHorizonInput(const OptionValues& values, PickSet picks, std::vector<FaultInput> faults) {
+  autoOr(values, "extend-faults");
+  HorizonInput input;
+  input.picks = std::move(picks);
+  input.notes = input.picks.notes;
+  input.warnings = input.picks.warnings;
+  const std::size_t way = values.choice("fault-z-positive", {"auto", "up", "down"});
+  for (FaultInput& fault : faults) {
+    input.notes.insert(input.notes.end(), fault.notes.begin(), fault.notes.end());
+    input.warnings.insert(input.warnings.end(), fault.warnings.begin(), fault.warnings.end());
+    if (way != 0)
+      fault.z_positive = kWays[way];
+  }
+  checkTogether(values, faults, input);
+  for (FaultInput& fault : faults)
+    input.faults.push_back(geometryOf(std::move(fault)));
+  return input;
+}
+
 HorizonInput readHorizonInput(const OptionValues& values, const ProgressCallback& progress) {
   if (!values.has("horizon"))
     throw UsageError("--horizon PICKS is missing: which file holds the picks?");
   autoOr(values, "extend-faults");
-  HorizonInput input;
   ReadOptions read = readOptions(values, progress);
   read.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
   const PickSource source = splitPickSource(values.text("horizon"));
   read.horizon = source.horizon;
-  input.picks = readPicks(source.path, read);
-  input.notes = input.picks.notes;
-  input.warnings = input.picks.warnings;
+  PickSet picks = readPicks(source.path, read);
   read.horizon.clear();
   read.columns.clear();
   std::vector<FaultInput> faults;
-  const std::size_t way = values.choice("fault-z-positive", {"auto", "up", "down"});
   for (const std::string& file : values.texts("fault"))
-    for (FaultInput& fault : readFaults(file)) {
-      input.notes.insert(input.notes.end(), fault.notes.begin(), fault.notes.end());
-      input.warnings.insert(input.warnings.end(), fault.warnings.begin(), fault.warnings.end());
-      if (way != 0)
-        fault.z_positive = kWays[way];
+    for (FaultInput& fault : readFaults(file))
       faults.push_back(std::move(fault));
-    }
-  checkTogether(values, faults, input);
-  for (FaultInput& fault : faults)
-    input.faults.push_back(geometryOf(std::move(fault)));
+  HorizonInput input = joinHorizonInput(values, std::move(picks), std::move(faults));
   for (const std::string& file : values.texts("dips")) {
     DipSet set = readDips(file, read);
     input.notes.insert(input.notes.end(), set.notes.begin(), set.notes.end());

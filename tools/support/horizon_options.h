@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/io/fault_reader.h"
 #include "graben/io/pick_reader.h"
 #include "graben/pipeline/horizon_reconstruction.h"
 #include "support/options.h"
@@ -29,6 +30,10 @@ ReadOptions readOptions(const OptionValues& values, const ProgressCallback& prog
 void declareParameterOptions(OptionParser& parser, bool with_extension = true);
 
 HorizonInput readHorizonInput(const OptionValues& values, const ProgressCallback& progress = {});
+
+/// The same of picks and faults that are read already, or come from no file; dips are left to the caller.
+/// \throw InvalidInputError if picks and faults cannot be of one frame
+HorizonInput joinHorizonInput(const OptionValues& values, PickSet picks, std::vector<FaultInput> faults);
 
 /// \param[in] values   a parsed command line
 /// \param[in] z_positive what the picks' file says

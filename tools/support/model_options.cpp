@@ -101,28 +101,36 @@ ZPositive checkTogether(const OptionValues& values, const std::vector<FaultInput
 }
 
 /// \return which way z grows
-ZPositive readHorizons(const OptionValues& values, const std::vector<FaultInput>& faults, const ProgressCallback& progress, ModelInput& input) {
-  ReadOptions read = readOptions(values, progress);
-  read.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
+ZPositive joinHorizons(const OptionValues& values, const std::vector<FaultInput>& faults, std::vector<NamedPicks> horizons, ModelInput& input) {
   ZPositive way = ZPositive::Unknown;
   std::string first;
-  for (const std::string& text : values.texts("horizon")) {
-    const NamedFile named = namedFile(text);
-    const PickSource source = splitPickSource(named.file);
-    read.horizon = source.horizon;
-    PickSet picks = readPicks(source.path, read);
+  for (NamedPicks& horizon : horizons) {
+    PickSet& picks = horizon.picks;
     input.notes.insert(input.notes.end(), picks.notes.begin(), picks.notes.end());
     input.warnings.insert(input.warnings.end(), picks.warnings.begin(), picks.warnings.end());
     const ZPositive its_way = checkTogether(values, faults, picks, input);
     if (its_way != ZPositive::Unknown && way != ZPositive::Unknown && its_way != way)
-      throw InvalidInputError("horizons", "the z of " + named.file + " grows the other way than that of " + first + "; say which with --z-positive");
+      throw InvalidInputError("horizons", "the z of " + picks.source + " grows the other way than that of " + first + "; say which with --z-positive");
     if (way == ZPositive::Unknown && its_way != ZPositive::Unknown) {
       way = its_way;
-      first = named.file;
+      first = picks.source;
     }
-    input.horizons.push_back({named.name, std::move(picks.points), named.relation});
+    input.horizons.push_back({std::move(horizon.name), std::move(picks.points), horizon.relation});
   }
   return way;
+}
+
+std::vector<NamedPicks> readHorizons(const OptionValues& values, const ProgressCallback& progress) {
+  ReadOptions read = readOptions(values, progress);
+  read.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
+  std::vector<NamedPicks> horizons;
+  for (const std::string& text : values.texts("horizon")) {
+    NamedFile named = namedFile(text);
+    const PickSource source = splitPickSource(named.file);
+    read.horizon = source.horizon;
+    horizons.push_back({std::move(named.name), readPicks(source.path, read), named.relation});
+  }
+  return horizons;
 }
 
 } // namespace
@@ -148,25 +156,30 @@ void declareModelOptions(OptionParser& parser) {
   declareParameterOptions(parser, false);
 }
 
-ModelInput readModelInput(const OptionValues& values, const ProgressCallback& progress) {
-  if (!values.has("horizon"))
-    throw UsageError("--horizon NAME=PICKS is missing: which files hold the picks?");
+ModelInput joinModelInput(const OptionValues& values, std::vector<NamedPicks> horizons, std::vector<FaultInput> faults) {
   ModelInput input;
-  std::vector<FaultInput> faults;
   const std::size_t fault_way = values.choice("fault-z-positive", {"auto", "up", "down"});
-  for (const std::string& file : values.texts("fault"))
-    for (FaultInput& fault : readFaults(file)) {
-      input.notes.insert(input.notes.end(), fault.notes.begin(), fault.notes.end());
-      input.warnings.insert(input.warnings.end(), fault.warnings.begin(), fault.warnings.end());
-      if (fault_way != 0)
-        fault.z_positive = fault_way == 1 ? ZPositive::Up : ZPositive::Down;
-      faults.push_back(std::move(fault));
-    }
-  const ZPositive way = readHorizons(values, faults, progress, input);
+  for (FaultInput& fault : faults) {
+    input.notes.insert(input.notes.end(), fault.notes.begin(), fault.notes.end());
+    input.warnings.insert(input.warnings.end(), fault.warnings.begin(), fault.warnings.end());
+    if (fault_way != 0)
+      fault.z_positive = fault_way == 1 ? ZPositive::Up : ZPositive::Down;
+  }
+  const ZPositive way = joinHorizons(values, faults, std::move(horizons), input);
   for (FaultInput& fault : faults)
     input.faults.push_back({std::move(fault.name), std::move(fault.geometry), fault.z_positive});
   input.options = modelOptions(values, way);
   return input;
+}
+
+ModelInput readModelInput(const OptionValues& values, const ProgressCallback& progress) {
+  if (!values.has("horizon"))
+    throw UsageError("--horizon NAME=PICKS is missing: which files hold the picks?");
+  std::vector<FaultInput> faults;
+  for (const std::string& file : values.texts("fault"))
+    for (FaultInput& fault : readFaults(file))
+      faults.push_back(std::move(fault));
+  return joinModelInput(values, readHorizons(values, progress), std::move(faults));
 }
 
 void checkModelOutputs(const OptionValues& values) {
