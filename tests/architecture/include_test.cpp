@@ -23,6 +23,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"synthetic", {"core", "mesh", "faults"}},
     {"visualization", {"core", "mesh", "faults"}},
     {"pipeline", {"core", "mesh", "faults", "features", "filters", "surface", "analysis", "model"}},
+    {"python", {"core", "mesh", "faults", "features", "filters", "surface", "analysis", "model", "io", "visualization", "pipeline"}},
 };
 
 /// Which folders of a module's src each of its folders may include, beside itself; modules that are not named have none.
