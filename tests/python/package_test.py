@@ -48,7 +48,7 @@ def test_arguments_of_reconstruct_are_described():
 
 def test_help_reads_as_a_page():
     page = pydoc.plain(pydoc.render_doc(graben))
-    assert "faulted geological horizons" in page and "def reconstruct(" in page
+    assert "faulted geological horizons" in page and "reconstruct(picks: Any, faults" in page
     assert max(len(line) for line in inspect.getdoc(graben.reconstruct).splitlines()) <= 160
 
 

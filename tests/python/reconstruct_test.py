@@ -124,6 +124,20 @@ def test_realizations(normal):
         graben.reconstruct(normal.picks, normal.faults, realizations=3)
 
 
+def test_extent(normal, horizon, tmp_path):
+    middle = horizon.vertices.mean(axis=0)[:2]
+    ring = middle + 800.0 * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
+    inside = graben.reconstruct(normal.picks, normal.faults, extent=[ring])
+    assert inside.report["extent"]["kind"] == "polygon" and np.abs(inside.vertices[:, :2] - middle).max() < 1000.0
+    rows = [f"{x:.17g} {y:.17g} 0" for x, y in np.concatenate((ring, ring[:1]))] + ["999 999 999"]
+    (tmp_path / "area.pol").write_text("\n".join(rows) + "\n")
+    assert_same_mesh(graben.reconstruct(normal.picks, normal.faults, extent=tmp_path / "area.pol"), inside)
+    hull = graben.reconstruct(normal.picks, normal.faults, extent="hull", fill_holes="all")
+    assert hull.report["extent"]["kind"] == "hull"
+    with pytest.raises(ValueError, match=r"extent\[0\]: .*n >= 3.*\(2, 2\)"):
+        graben.reconstruct(normal.picks, extent=[ring[:2]])
+
+
 def test_pickled_and_back(horizon):
     again = pickle.loads(pickle.dumps(horizon))
     assert_same_mesh(again, horizon)

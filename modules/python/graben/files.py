@@ -173,6 +173,15 @@ def as_dips(name: str, value: Any, *, null: Any = None) -> Tuple[np.ndarray, np.
     return np.ascontiguousarray(table[:, :3]), _core.normals_of_dips(np.ascontiguousarray(table[:, 3:])), []
 
 
+def as_rings(name: str, value: Any) -> List[np.ndarray]:
+    """Polygons of the map: one ring of shape (k, 2) or (k, 3), or a list of them. Gives (k, 3)."""
+    rings = [value] if np.ndim(value) == 2 and np.ndim(value[0]) == 1 else list(value)
+    checked = [checks.points(f"{name}[{i}]", ring, least=3, columns=3 if np.ndim(ring) == 2 and np.shape(ring)[1] == 3 else 2) for i, ring in enumerate(rings)]
+    if not checked:
+        raise ValueError(f"{name}: 'data', 'hull', a path or a list of rings of shape (k, 2) was expected, but it is empty")
+    return [np.column_stack((ring[:, :2], np.zeros(len(ring)))) for ring in checked]
+
+
 def core_picks(picks: Picks) -> dict:
     return {"points": picks.points, "normals": picks.normals, "z_positive": picks.z_positive, "xy_unit": picks.xy_unit, "z_unit": picks.z_unit,
             "source": picks.source, "horizon": picks.horizon, "notes": picks.notes, "warnings": picks.warnings, "z_reason": picks.z_reason}

@@ -1,6 +1,7 @@
 """The main job: picks and faults in, the faulted horizon out."""
 
 import json
+import os
 from dataclasses import dataclass, field
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
@@ -8,7 +9,7 @@ import numpy as np
 
 from . import _core
 from .data import Mesh, mesh_from_core
-from .files import Progress, as_dips, as_faults, as_picks, core_picks
+from .files import Progress, as_dips, as_faults, as_picks, as_rings, core_picks
 from .options import words
 
 _PLACES = [(f"{wall}{axis}", "f8") for wall in ("", "hanging_wall_") for axis in "xyz"]
@@ -24,7 +25,7 @@ PROFILE_TYPE = np.dtype(_PLACES + [(name, "f8") for name in ("along", "throw", "
                                                              "realized_deviation", "dip", "azimuth")])
 
 #: Values of picks["reason"]: why a pick took no part in the surface.
-REASONS = ("good", "wrong side", "smeared", "at fault", "stray")
+REASONS = ("good", "wrong side", "smeared", "at fault", "stray", "uncovered")
 
 
 @dataclass(eq=False)
@@ -181,6 +182,8 @@ def reconstruct(
     zone_width: Optional[float] = None,
     fault_reach: Optional[float] = None,
     clearance: Optional[float] = None,
+    extent: Any = None,
+    fill_holes: Union[str, float, None] = None,
     extend_faults: Union[str, float, None] = None,
     fault_smoothing: Union[str, float, None] = None,
     fault_dip: Union[float, Tuple[float, float], None] = None,
@@ -229,6 +232,10 @@ def reconstruct(
         Farthest the surface is carried on from the last picks to a fault.
     clearance : float, x, y units
         Picks nearer to a fault than this are left out; default 0.
+    extent : 'data', 'hull', path of polygons, or list of rings (k, 2)
+        What the surface covers: what the picks cover (default), all that lies between them on the map, or an area in which it is whole and beyond which it ends.
+    fill_holes : float, x, y units, or 'all'
+        Holes among the picks no wider than this are covered too; default 0.
     extend_faults : 'auto', 'off' or float, x, y units
         How far faults are continued along dip; auto: to the horizon, where the picks have a step there.
     fault_smoothing : 'auto', 'off' or float, x, y units
@@ -273,9 +280,11 @@ def reconstruct(
     graben.Error
         InvalidInputError, FileError (with file and row), ResourceError.
     """
+    rings = None if extent is None or isinstance(extent, (str, os.PathLike)) else as_rings("extent", extent)
+    extent = os.fspath(extent) if isinstance(extent, os.PathLike) else extent
     said = words(
         dict(voxel_size=voxel_size, neighbors=neighbors, rho=rho, delta=delta, flip_angle=flip_angle, zone_width=zone_width, fault_reach=fault_reach,
-             clearance=clearance, extend_faults=extend_faults, fault_smoothing=fault_smoothing, fault_dip=fault_dip, fit=fit,
+             clearance=clearance, extent=extent if rings is None else None, fill_holes=fill_holes, extend_faults=extend_faults, fault_smoothing=fault_smoothing, fault_dip=fault_dip, fit=fit,
              signed_distance=signed_distance, orientation=orientation, z_scale=z_scale, z_positive=z_positive, fault_z_positive=fault_z_positive,
              units_as_given=units_as_given, throw_interval=throw_interval, skip=skip, threads=threads, memory_limit=memory_limit), lists=("skip",))
     if realizations != 0 and not 4 <= realizations <= 1000:
@@ -283,7 +292,7 @@ def reconstruct(
     given = as_picks("picks", picks, columns=columns, null=null, threads=threads or 0)
     fault_list = as_faults("faults", faults)
     places, normals, dip_notes = as_dips("dips", dips, null=null)
-    wishes = {"deviation": bool(deviation), "keep_picks": bool(keep_picks), "realizations": int(realizations)}
+    wishes = {"deviation": bool(deviation), "keep_picks": bool(keep_picks), "realizations": int(realizations), "polygon": rings or []}
     d = _core.reconstruct(said, core_picks(given), [fault._core_fault() for fault in fault_list], (places, normals), wishes, progress)
     d["notes"] = dip_notes + d["notes"]
     return _horizon(d)

@@ -14,7 +14,15 @@ struct Wishes {
   bool deviation = true;
   bool keep_picks = false;
   std::size_t realizations = 0;
+  std::vector<Points> polygon; ///< that the surface is to cover; empty: as the options say
 };
+
+Wishes wishesOf(const py::dict& d) {
+  Wishes wishes{d["deviation"].cast<bool>(), d["keep_picks"].cast<bool>(), d["realizations"].cast<std::size_t>(), {}};
+  for (const py::handle& ring : d["polygon"].cast<py::list>())
+    wishes.polygon.push_back(pointsOf(ring.cast<Doubles>()));
+  return wishes;
+}
 
 std::vector<DipMeasurement> dipsOf(const Doubles& places, const Doubles& normals) {
   const Points at = pointsOf(places), facing = pointsOf(normals);
@@ -31,6 +39,10 @@ ReconstructionResult run(const OptionValues& values, HorizonInput input, const W
   options.keep_picks = wishes.keep_picks || wishes.realizations > 0;
   options.deviation = wishes.deviation;
   options.progress = progress;
+  if (!wishes.polygon.empty()) {
+    options.extent = HorizonExtent::Polygon;
+    options.polygon = wishes.polygon;
+  }
   ReconstructionResult result = HorizonReconstruction(options).reconstruct(std::move(input.picks.points), input.faults, input.dips);
   if (wishes.realizations > 0) {
     RealizationOptions again;
@@ -136,7 +148,7 @@ py::dict reconstruct(const std::vector<std::string>& words, const py::dict& pick
   OptionParser parser("graben.reconstruct", "");
   declareHorizonOptions(parser);
   const OptionValues values = parser.parse(words);
-  const Wishes wished{wishes["deviation"].cast<bool>(), wishes["keep_picks"].cast<bool>(), wishes["realizations"].cast<std::size_t>()};
+  const Wishes wished = wishesOf(wishes);
   PickSet pick_set = picksOf(picks);
   std::vector<FaultInput> fault_inputs = faultsOf(faults);
   std::vector<DipMeasurement> measured = dipsOf(dips[0].cast<Doubles>(), dips[1].cast<Doubles>());
