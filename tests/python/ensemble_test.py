@@ -46,7 +46,7 @@ def test_what_an_ensemble_says(alone):
     np.testing.assert_allclose(inner["mean"], inner["throw"], atol=5.0)
     (map_,) = alone.maps.values()
     sure = map_.probability == 1.0
-    assert sure.mean() > 0.8 and np.nanmedian(map_.deviation[sure]) == pytest.approx(1.0, abs=0.9)
+    assert sure.mean() > 0.6 and np.nanmedian(map_.deviation[sure]) == pytest.approx(1.0, abs=0.9)
     assert ((0.0 <= map_.probability) & (map_.probability <= 1.0)).all()
 
 
