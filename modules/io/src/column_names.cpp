@@ -94,6 +94,18 @@ int rankAsZ(const std::string& name) {
              : 0;
 }
 
+/// Names made of words for depth, time or height only: "Depth TVDSS (ft)", "Seismic TWT Time".
+bool isMadeOfWordsForZ(const std::string& name) {
+  static const std::vector<std::string> core = {"z", "depth", "tvd", "tvdss", "time", "twt", "owt", "elevation", "elev", "height", "subsea"};
+  static const std::vector<std::string> beside = {"ss", "sub", "sea", "msl", "two", "way", "one", "true", "vertical", "value", "picked", "pick", "seismic", "horizon",
+                                                  "structure", "structural", "level", "mean", "above", "below", "datum", "coordinate", "point"};
+  std::vector<std::string> words = wordsOf(name);
+  if (words.size() > 1 && !unitOf(words.back()).empty())
+    words.pop_back();
+  return std::any_of(words.begin(), words.end(), [](const auto& w) { return isOneOf(w, core); }) &&
+         std::all_of(words.begin(), words.end(), [](const auto& w) { return isOneOf(w, core) || isOneOf(w, beside); });
+}
+
 char delimiterOf(std::string_view line) {
   for (const char c : {';', ',', '\t'})
     if (line.find(c) != std::string_view::npos)
@@ -213,16 +225,24 @@ std::array<int, 3> findCoordinateColumns(const std::vector<std::string>& names) 
   int best_z = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string name = plainName(names[i]);
+    const int as_z = std::max(rankAsZ(name), isMadeOfWordsForZ(names[i]) ? 1 : 0);
     if (columns[0] < 0 && isX(name))
       columns[0] = static_cast<int>(i);
     else if (columns[1] < 0 && isY(name))
       columns[1] = static_cast<int>(i);
-    else if (rankAsZ(name) > best_z) {
-      best_z = rankAsZ(name);
+    else if (as_z > best_z) {
+      best_z = as_z;
       columns[2] = static_cast<int>(i);
     }
   }
   return columns;
+}
+
+std::string nameGivenTwice(const std::vector<std::string>& names) {
+  for (const int column : findCoordinateColumns(names))
+    if (column >= 0 && std::count_if(names.begin(), names.end(), [&](const auto& n) { return plainName(n) == plainName(names[static_cast<std::size_t>(column)]); }) > 1)
+      return names[static_cast<std::size_t>(column)];
+  return {};
 }
 
 DipColumns findDipColumns(const std::vector<std::string>& names) {

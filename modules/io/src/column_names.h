@@ -46,6 +46,9 @@ private:
 /// Columns of x, y and z by name; -1 where no name fits.
 std::array<int, 3> findCoordinateColumns(const std::vector<std::string>& names);
 
+/// What two columns are called alike of those that findCoordinateColumns finds; empty if none are.
+std::string nameGivenTwice(const std::vector<std::string>& names);
+
 /// Columns of the dip, its azimuth (direction of dip) and the strike by name; -1 where no name fits.
 struct DipColumns {
   int dip = -1;

@@ -36,6 +36,17 @@ bool isBinaryStl(std::string_view bytes) {
   return bytes.size() == 84 + std::uint64_t{50} * triangles;
 }
 
+/// `INLINE : 784 XLINE : 604 ...`, `XLINE- 604 784 ...`: a number behind the keyword and its marks.
+bool isCharismaRow(std::string_view line) {
+  const std::string lower = toLower(line.substr(0, 40));
+  for (const std::string_view key : {"inline", "xline", "crossline"})
+    if (startsWith(lower, key)) {
+      const std::size_t number = lower.find_first_not_of(" \t:-", key.size());
+      return number != std::string::npos && lower[number] >= '0' && lower[number] <= '9';
+    }
+  return false;
+}
+
 bool looksLikeObj(std::string_view line) {
   return startsWith(line, "v ") || startsWith(line, "o ") || startsWith(line, "g ") ||
          startsWith(line, "mtllib ");
@@ -59,7 +70,7 @@ FileFormat formatOf(std::string_view bytes, const std::string& path) {
     return FileFormat::VtkXml;
   if (startsWith(first, "GOCAD "))
     return FileFormat::Gocad;
-  if (startsWith(toLower(first.substr(0, 6)), "inline") && first.size() > 20 && first.find_first_of("0123456789") != std::string_view::npos)
+  if (isCharismaRow(first))
     return FileFormat::Charisma;
   if (startsWith(first, "PROFILE ") || startsWith(first, "EOD"))
     return FileFormat::Iesx;

@@ -5,6 +5,7 @@
 #include "numbers.h"
 
 #include "graben/core/errors.h"
+#include "graben/core/short_number.h"
 
 #include <algorithm>
 #include <array>
@@ -124,7 +125,8 @@ PickSet picksOf(const Grid& grid, const std::vector<double>& values, const std::
   const bool good =
       grid.nx >= 1.0 && grid.ny >= 1.0 && grid.nx == std::floor(grid.nx) && grid.ny == std::floor(grid.ny) && grid.nx < 1e9 && grid.ny < 1e9;
   if (!good || !(std::abs(grid.dx) > 0.0) || !(std::abs(grid.dy) > 0.0) || !std::isfinite(grid.dx + grid.dy + grid.x0 + grid.y0 + grid.turned))
-    throw ParseError(path, 0, "the " + grid.kind + " grid has an impossible size or spacing");
+    throw ParseError(path, 0, "the " + grid.kind + " grid has an impossible size or spacing: " + shortNumber(grid.nx) + " x " + shortNumber(grid.ny) +
+                                " nodes, " + shortNumber(grid.dx) + " x " + shortNumber(grid.dy) + " apart");
   const auto nx = static_cast<std::size_t>(grid.nx);
   const auto ny = static_cast<std::size_t>(grid.ny);
   if (values.size() != nx * ny)

@@ -28,7 +28,7 @@ const char* parseUnusualNumber(const char* begin, const char* end, double& value
 bool isNoDataWord(std::string_view field) {
   static constexpr std::array<std::string_view, 7> words = {"undef", "null",   "none", "na",
                                                             "n/a",   "nodata", "#n/a"};
-  if (field.empty())
+  if (field.find_first_not_of('*') == std::string_view::npos) // nothing, or what Fortran writes for a number that does not fit its field
     return true;
   return field.size() < 8 && std::find(words.begin(), words.end(), toLower(field)) != words.end();
 }

@@ -120,7 +120,7 @@ private:
       header_.data = words_.size() > 1 ? toLower(words_[1]) : "";
       if (header_.data != "ascii" && header_.data != "binary" &&
           header_.data != "binary_compressed")
-        fail("DATA must be ascii, binary or binary_compressed");
+        fail("DATA must be ascii, binary or binary_compressed, not '" + header_.data.substr(0, 60) + "'");
     } else if (key != "VERSION") {
       fail("not a line of a PCD header: '" + std::string(key.substr(0, 60)) + "'");
     }

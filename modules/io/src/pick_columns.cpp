@@ -49,7 +49,7 @@ public:
       : sample_(sample)
       , notes_(notes) {
     for (std::size_t c = 0; c < sample.columns.size(); ++c)
-      if (sample.isNumber(c))
+      if (sample.isNumber(c) || sample.columns.size() == 3)
         left_.push_back(c);
   }
 
@@ -136,6 +136,8 @@ public:
       return;
     }
     refuseOtherNames();
+    if (takeThirdAsZ())
+      return;
     const TableSample sample = sampleTable(layout_.body, layout_.delimiter, layout_.columns_in_row);
     const std::string doubt = UnnamedColumns(sample, picks_.notes).settle(layout_.columns);
     if (!doubt.empty())
@@ -148,6 +150,17 @@ public:
   }
 
 private:
+  /// Of three columns of which the header calls two x and y, the third is z whatever its name.
+  bool takeThirdAsZ() {
+    const auto place = findCoordinateColumns(layout_.names);
+    if (layout_.names.size() != 3 || layout_.columns_in_row != 3 || place[0] < 0 || place[1] < 0)
+      return false;
+    layout_.columns = {place[0], place[1], 3 - place[0] - place[1]};
+    layout_.names_used = true;
+    picks_.notes.push_back("column " + std::to_string(layout_.columns[2] + 1) + ", '" + nameOf(layout_, static_cast<std::size_t>(layout_.columns[2])) + "', taken as z");
+    return true;
+  }
+
   [[noreturn]] void fail(const std::string& message) const {
     throw ParseError(file_.path, layout_.first_line,
                      message + "; name them: --columns X,Y,Z, each by its number from 1" +
@@ -226,6 +239,8 @@ void takeNameOfZ(const TextLayout& layout, PickSet& picks) {
 NamedColumns pointColumns(const std::vector<std::string>& names) {
   const auto found = findCoordinateColumns(names);
   const bool z_missing = found[0] >= 0 && found[1] >= 0 && found[2] < 0 && names.size() > 3;
+  if (const std::string twice = nameGivenTwice(names); !twice.empty() && found[0] >= 0 && found[1] >= 0)
+    return {{found.begin(), found.end()}, "the header names two columns '" + twice + "'; name x, y and z by their numbers: --columns 1,2,3"};
   return {{found.begin(), found.end()}, z_missing ? "the header names columns x and y but none for z; name them: --columns X,Y,Z" : ""};
 }
 
@@ -237,9 +252,11 @@ void settleColumns(TextLayout& layout, const PickFile& file, PickSet& picks) {
 HorizonColumn findHorizons(const TextLayout& layout, const TableSample& sample) {
   HorizonColumn found;
   const int named = findColumn(layout.names, ColumnRole::Horizon);
+  const int label = findColumn(layout.names, ColumnRole::Fault); // "name", "object" and the like
   for (std::size_t c = 0; c < sample.columns.size() && found.column < 0; ++c) {
     const bool is_named = named >= 0 && c == static_cast<std::size_t>(named) + shiftOf(layout);
-    const bool unnamed_text = nameOf(layout, c).empty() && sample.columns[c].numbers == 0;
+    const bool is_label = named < 0 && label >= 0 && c == static_cast<std::size_t>(label) + shiftOf(layout);
+    const bool unnamed_text = (is_label || nameOf(layout, c).empty()) && sample.columns[c].numbers == 0;
     const bool taken = std::find(layout.columns.begin(), layout.columns.end(), static_cast<int>(c)) != layout.columns.end();
     if ((is_named || unnamed_text) && !taken)
       found.column = static_cast<int>(c);

@@ -1,6 +1,7 @@
 #include "stick_columns.h"
 
 #include "column_names.h"
+#include "numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,25 @@ struct Course {
   bool constant = false;
   bool runs = false;   ///< stays the same for some rows, then changes
   bool counts = false; ///< mostly grows by one
+  bool flags = false;  ///< three numbers: begin of a line, on it, end
 };
+
+/// 1 2 2 3 1 2 3: a count of nodes never stays where it is, the middle of a line does.
+bool areFlags(const SampledColumn& column) {
+  if (!column.whole || column.high - column.low != 2.0 || column.values.empty() || column.values.front() != column.low)
+    return false;
+  bool stays = false;
+  for (std::size_t r = 1; r < column.values.size(); ++r) {
+    const double before = column.values[r - 1];
+    const double value = column.values[r];
+    const bool begins = before == column.high && value == column.low;
+    const bool goes_on = before != column.high && value != column.low;
+    if (!begins && !goes_on)
+      return false;
+    stays |= value == before;
+  }
+  return stays;
+}
 
 Course courseOf(const SampledColumn& column) {
   Course course;
@@ -29,7 +48,16 @@ Course courseOf(const SampledColumn& column) {
   const std::size_t steps = column.values.empty() ? 0 : column.values.size() - 1;
   course.runs = course.whole && 3 * same >= steps;
   course.counts = course.whole && 2 * next >= steps;
+  course.flags = areFlags(column);
   return course;
+}
+
+/// Beside traces a line is one of the survey, not of a fault.
+std::vector<std::string> withoutLines(std::vector<std::string> names) {
+  for (std::string& name : names)
+    if (toLower(trim(name)).rfind("line", 0) == 0)
+      name.clear();
+  return names;
 }
 
 class StickTable {
@@ -50,9 +78,13 @@ public:
     }
     const auto find = [&](ColumnRole role) { return findColumn(names, role) < 0 ? -1 : findColumn(names, role) + shift; };
     columns.name = shift > 0 ? 0 : find(ColumnRole::Fault);
-    if (const int stick = find(ColumnRole::Stick); stick >= 0)
-      columns.sticks.push_back(stick);
     columns.node = find(ColumnRole::Node);
+    const bool traces = find(ColumnRole::Crossline) >= 0;
+    const int stick = findColumn(traces ? withoutLines(names) : names, ColumnRole::Stick);
+    if (stick >= 0)
+      columns.sticks.push_back(stick + shift);
+    else if (traces && columns.name < 0 && columns.node < 0)
+      columns.doubt = "the header names traces, as that of a horizon along lines does";
     return columns;
   }
 
@@ -70,7 +102,7 @@ public:
       columns.doubt = "x, y and z cannot be told from other columns of numbers";
     columns.place.assign(numbers_.begin(), numbers_.end());
     std::reverse(columns.sticks.begin(), columns.sticks.end());
-    if (!parted && columns.sticks.empty() && columns.node < 0 && columns.name < 0 && sample_.columns.size() > 3)
+    if (!parted && columns.sticks.empty() && columns.node < 0 && columns.flag < 0 && columns.name < 0 && sample_.columns.size() > 3)
       columns.doubt = "no column tells the sticks apart";
     return columns;
   }
@@ -80,7 +112,10 @@ private:
   bool takeId(bool last, StickColumns& columns) {
     const std::size_t c = last ? numbers_.back() : numbers_.front();
     const Course course = courseOf(sample_.columns[c]);
-    if (course.runs || course.constant) {
+    if (course.flags && columns.flag < 0) {
+      columns.flag = static_cast<int>(c);
+      columns.begin = sample_.columns[c].low;
+    } else if (course.runs || course.constant) {
       if (!course.constant || columns.sticks.empty())
         columns.sticks.push_back(static_cast<int>(c));
     } else if (course.counts && columns.node < 0) {

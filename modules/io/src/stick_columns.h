@@ -14,6 +14,8 @@ struct StickColumns {
   int name = -1;           ///< of the fault
   std::vector<int> sticks; ///< a row begins another stick where one of these differs
   int node = -1;           ///< the order of a stick's points
+  int flag = -1;           ///< tells the begin of a stick from its middle and end
+  double begin = 0.0;      ///< the flag of a begin
   std::string doubt;       ///< why it is not certain; empty if it is
 };
 

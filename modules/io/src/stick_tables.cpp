@@ -114,6 +114,8 @@ private:
       text += ", " + number(stick) + " as stick";
     if (columns_.node >= 0)
       text += ", " + number(columns_.node) + " as node";
+    if (columns_.flag >= 0)
+      text += ", " + number(columns_.flag) + " as begin and end of sticks";
     if (columns_.name >= 0)
       text += ", " + number(columns_.name) + " as the fault's name";
     return text;
@@ -171,6 +173,9 @@ private:
     key_.clear();
     for (const int stick : columns_.sticks)
       (key_ += text(stick)) += '\x1f';
+    double flag = 0.0;
+    if (columns_.flag >= 0 && parseField(text(columns_.flag), flag) && flag == columns_.begin)
+      builder_.end();
     double node = std::nan("");
     if (columns_.node >= 0)
       parseField(text(columns_.node), node);
@@ -196,7 +201,7 @@ private:
     if (cut)
       fault.warnings.push_back(path_ + ": the last stick has no end and the last row no line end; the file may be cut short");
     const auto& sticks = std::get<std::vector<FaultStick>>(fault.geometry);
-    if (sticks.size() == 1 && columns_.sticks.empty() && columns_.node < 0)
+    if (sticks.size() == 1 && columns_.sticks.empty() && columns_.node < 0 && columns_.flag < 0)
       fault.notes.push_back(fault.name + " is one list of points without any end of line");
   }
 

@@ -37,16 +37,53 @@ bool isNumber(std::string_view field) {
   return !field.empty() && parseField(field, value);
 }
 
-/// `1,5` in two fields or more that are not parted by commas.
+/// `1,5` in two fields or more that are not parted by commas; in one where semicolons part them.
 bool isRowWithDecimalCommas(std::string_view row) {
+  const bool semicolons = row.find(';') != std::string_view::npos;
   std::vector<std::string_view> words;
-  splitFields(row, row.find(';') != std::string_view::npos ? ';' : ' ', words);
+  splitFields(row, semicolons ? ';' : ' ', words);
   const auto is_decimal = [](std::string_view word) {
     const std::size_t comma = word.find(',');
     return comma != std::string_view::npos && word.find('.') == std::string_view::npos &&
            isNumber(word.substr(0, comma)) && isNumber(word.substr(comma + 1));
   };
-  return std::count_if(words.begin(), words.end(), is_decimal) >= 2;
+  return std::count_if(words.begin(), words.end(), is_decimal) >= (semicolons ? 1 : 2);
+}
+
+/// `5.931.000,50` or `461,000.25`: digits in groups of three, and more groups than two or decimals behind them.
+bool hasThousands(std::string_view word) {
+  std::size_t at = 0;
+  const auto digits = [&] {
+    const std::size_t begin = at;
+    while (at < word.size() && word[at] >= '0' && word[at] <= '9')
+      ++at;
+    return at - begin;
+  };
+  at = word.substr(0, 1) == "-" ? 1 : 0;
+  const std::size_t first = digits();
+  if (first < 1 || first > 3 || at == word.size() || (word[at] != '.' && word[at] != ','))
+    return false;
+  const char separator = word[at];
+  std::size_t groups = 1;
+  for (; at < word.size() && word[at] == separator; ++groups) {
+    ++at;
+    if (digits() != 3)
+      return false;
+  }
+  const bool decimals = groups > 1 && at + 1 < word.size() && (word[at] == '.' || word[at] == ',');
+  at += decimals ? 1 : 0;
+  return (decimals && digits() > 0 && at == word.size()) || (groups > 2 && at == word.size());
+}
+
+void refuseThousands(std::string_view line, const std::string& path, std::size_t number) {
+  std::string words_of(line);
+  std::replace_if(
+      words_of.begin(), words_of.end(), [](char c) { return c == ';' || c == '"' || c == '\t'; }, ' ');
+  std::vector<std::string_view> words;
+  splitWords(words_of, words);
+  const auto found = std::find_if(words.begin(), words.end(), hasThousands);
+  if (found != words.end())
+    throw ParseError(path, number, "numbers with thousands separators (" + std::string(found->substr(0, 40)) + "); write them without");
 }
 
 /// Finds where the wanted numbers stand in a row parted by layout.delimiter.
@@ -108,6 +145,7 @@ std::string listOf(const std::vector<std::string>& items, const char* last = ", 
 /// A line before the first row may be anything but a row of numbers that lacks one.
 void refuseShortRow(std::string_view line, const std::string& path, std::size_t number,
                     const TableKind& kind) {
+  refuseThousands(line, path, number);
   if (isRowWithDecimalCommas(line))
     throw ParseError(path, number, "numbers with decimal commas among others; write them with points");
   std::string blanks(line);
@@ -162,7 +200,10 @@ bool hasDecimalCommas(std::string_view text) {
     if (isPassedOver(line) || line.find_first_of("0123456789") == std::string_view::npos)
       continue;
     ++rows;
-    last = isRowWithDecimalCommas(line) && line.find('.') == std::string_view::npos;
+    if (line.find('.') != std::string_view::npos)
+      last = false;
+    else if (isRowWithDecimalCommas(line))
+      last = true;
   }
   return last;
 }

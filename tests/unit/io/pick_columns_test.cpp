@@ -132,6 +132,22 @@ TEST(PickColumns, NamesTellTheDirectionAndUnitOfZ) {
   }
 }
 
+TEST(PickColumns, NamesOfZAreMadeOfWords) {
+  const PickSet picks = readText("X (m),Y (m),Depth TVDSS (ft)\n0,0,100\n50,0,110\n0,50,130\n", "p.csv");
+  EXPECT_EQ(picks.z_unit, "ft");
+  EXPECT_EQ(picks.z_positive, ZPositive::Down);
+  const PickSet other = readText("Y,X,Top A\n7,0,100\n7,50,110\n9,0,130\n", "p.csv");
+  EXPECT_THAT(other.notes, Contains(HasSubstr("column 3, 'Top A', taken as z")));
+  EXPECT_EQ(other.points[1], Vector3(50, 7, 110));
+}
+
+TEST(PickColumns, ANameGivenTwiceIsRefused) {
+  EXPECT_THAT(readFailure("X,X,Y,Z\n0,0,1,100\n50,0,2,110\n"), HasSubstr("picks.dat:1: the header names two columns 'X'"));
+  ReadOptions options;
+  options.columns = {"2", "3", "4"};
+  EXPECT_EQ(readText("X,X,Y,Z\n0,0,1,100\n50,0,2,110\n", "p.csv", options).points[1], Vector3(0, 2, 110));
+}
+
 TEST(PickColumns, ANameBeforeEachRowIsReadFast) {
   std::string text;
   for (int i = 0; i < 20000; ++i)
@@ -170,6 +186,16 @@ TEST(Horizons, SeveralInOneFileAreRefusedAndNamed) {
     options.horizon = "Bottom";
     EXPECT_THAT(readFailure(text, "h.dat", options), HasSubstr("holds no horizon 'Bottom'"));
   }
+}
+
+TEST(Horizons, AColumnCalledNameTellsThemApart) {
+  std::string rows = "name,x,y,z\n";
+  for (int i = 0; i < 20; ++i)
+    rows += std::string(i % 2 == 0 ? "Top" : "Base") + "," + std::to_string(10 * i) + "," + std::to_string(7 * (i % 5)) + ",100\n";
+  EXPECT_THAT(readFailure(rows), HasSubstr("holds 2 horizons: Top, Base"));
+  ReadOptions options;
+  options.horizon = "Base";
+  EXPECT_EQ(readText(rows, "h.csv", options).points.size(), 10U);
 }
 
 TEST(Horizons, LabelsOfPointsAreNone) {

@@ -87,6 +87,13 @@ TEST(StickTables, AreReadAsProgramsWriteThem) {
       {"x y z stick node", rows([](int s, int n, S x, S y, S z) { return x + "\t" + y + "\t" + z + "\t" + of(s) + "\t" + of(n); })},
       {"x y z stick node from 0", rows([](int s, int n, S x, S y, S z) { return x + " " + y + " " + z + " " + of(s - 1) + " " + of(n - 1); })},
       {"x y z node", rows([](int, int n, S x, S y, S z) { return x + " " + y + " " + z + " " + of(n); })},
+      {"x y z and flags of begin, middle and end",
+       rows([](int, int n, S x, S y, S z) { return x + " " + y + " " + z + " " + of(n == 1 ? 1 : n == nodes ? 3 : 2); })},
+      {"Charisma sticks on crosslines",
+       rows([](int s, int n, S x, S y, S z) { return "XLINE- " + of(600 + s) + " " + of(700 + n) + " " + x + " " + y + " " + z + " F1 " + of(s); })},
+      {"a survey's line and trace beside the sticks", S("Line,Trace,X,Y,Z,Segment\n") + rows([](int s, int n, S x, S y, S z) {
+         return of(700) + "," + of(600 + 7 * n) + "," + x + "," + y + "," + z + "," + of(s);
+       })},
       {"x y z stick", rows([](int s, int, S x, S y, S z) { return x + " " + y + " " + z + " " + of(10 * s); })},
       {"stick x y z", rows([](int s, int, S x, S y, S z) { return of(s) + " " + x + " " + y + " " + z; })},
       {"a header", S("# \"X\"\t\"Y\"\t\"Z\"\t\"StickNr\"\t\"NodeNr\"\n") +
@@ -160,6 +167,10 @@ TEST(StickTables, DoNotGuess) {
   const std::string four = rows([](int s, int n, S x, S y, S z) { return x + " " + y + " 0." + of((7 * s + n * n) % 10) + " " + z; });
   EXPECT_THAT(failure(four), HasSubstr("columns of the sticks are not certain"));
   EXPECT_THAT(failure("X,Y,stick\n1,2,1\n3,4,1\n"), HasSubstr("no z"));
+}
+
+TEST(StickTables, LinesWithTracesAreAHorizons) {
+  EXPECT_THAT(failure("Line,Trace,X,Y,Time\nL1,1,0,0,1.5\nL1,2,1,0,1.5\nL2,1,0,1,1.5\nL2,2,1,1,1.5\n"), HasSubstr("as that of a horizon along lines does"));
 }
 
 TEST(StickTables, CutFilesAreSaid) {

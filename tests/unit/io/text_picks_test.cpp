@@ -155,6 +155,22 @@ TEST(TextPicks, tellsOfAFewUnreadableRowsAtTheEnd) {
   EXPECT_THAT(picks.notes, Contains(HasSubstr("first in line 4")));
 }
 
+TEST(TextPicks, readsOneDecimalCommaBesideSemicolons) {
+  EXPECT_EQ(read("X;Y;Z\n461000;5931000;1850,5\n461050;5931000;1850\n461050;5931050;1851,25\n").points,
+            (Points{{461000, 5931000, 1850.5}, {461050, 5931000, 1850}, {461050, 5931050, 1851.25}}));
+}
+
+TEST(TextPicks, saysThatThousandsSeparatorsAreNotRead) {
+  EXPECT_THAT(failure("461.000,25;5.931.000,50;1.850,50\n"), HasSubstr("thousands separators (461.000,25)"));
+  EXPECT_THAT(failure("X,Y,Z\n\"461,000.25\",\"5,931,000.50\",\"1,850.50\"\n"), HasSubstr("thousands separators (461,000.25)"));
+}
+
+TEST(TextPicks, dropsWhatFortranCouldNotWrite) {
+  const PickSet picks = read("1 2 3\n4 5 *******\n7 9 9\n");
+  EXPECT_EQ(picks.points.size(), 2U);
+  EXPECT_EQ(picks.no_data_rows, 1U);
+}
+
 TEST(TextPicks, readsDecimalCommasWhereTheyCanBeNothingElse) {
   EXPECT_EQ(read("1,5 2,5 3,5\n4 5,0 6,0\n7 8,0 9,0\n").points, three);
   EXPECT_EQ(read("x;y;z\n1,5;2,5;3,5\n4,0;5;6,0\n7,0;8,0;9\n").points, three);
