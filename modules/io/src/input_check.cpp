@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <set>
 
 namespace graben {
 namespace {
@@ -27,6 +29,42 @@ Box boxOf(const FaultInput& fault) {
   for (const FaultStick& stick : std::get<std::vector<FaultStick>>(fault.geometry))
     box.extend(boxOf(stick.points));
   return box;
+}
+
+/// The box of the picks without the outermost twentieth on each side.
+Box middleOf(const Points& points) {
+  constexpr std::size_t kLookedAt = 100000;
+  const std::size_t step = points.size() / kLookedAt + 1;
+  Box box;
+  Vector3 low, high;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < points.size(); i += step)
+      values.push_back(points[i][axis]);
+    const auto cut = static_cast<std::ptrdiff_t>(values.size() / 20);
+    std::nth_element(values.begin(), values.begin() + cut, values.end());
+    low[axis] = values[static_cast<std::size_t>(cut)];
+    std::nth_element(values.begin(), values.end() - 1 - cut, values.end());
+    high[axis] = values[values.size() - 1 - static_cast<std::size_t>(cut)];
+  }
+  box.extend(low);
+  box.extend(high);
+  return box;
+}
+
+/// Up to a thousand of a fault's points.
+std::set<std::array<double, 3>> someNodesOf(const FaultInput& fault) {
+  constexpr std::size_t kMost = 1000;
+  Points points;
+  if (const auto* mesh = std::get_if<TriangleMesh>(&fault.geometry))
+    points = mesh->vertices;
+  else
+    for (const FaultStick& stick : std::get<std::vector<FaultStick>>(fault.geometry))
+      points.insert(points.end(), stick.points.begin(), stick.points.end());
+  std::set<std::array<double, 3>> nodes;
+  for (std::size_t i = 0; i < points.size(); i += points.size() / kMost + 1)
+    nodes.insert({points[i].x(), points[i].y(), points[i].z()});
+  return nodes;
 }
 
 /// The box of what a box becomes when each axis is scaled.
@@ -85,6 +123,11 @@ public:
   InputFindings check() {
     if (box_.isEmpty())
       return std::move(found_);
+    checkSize();
+    checkOutliers();
+    checkFaultsArePicks();
+    if (!found_.contradiction.empty())
+      return std::move(found_);
     takeWayOfFaults();
     checkDegrees();
     if (!fault_boxes_.empty() && found_.contradiction.empty()) {
@@ -105,6 +148,43 @@ private:
   }
 
   bool all(const std::function<bool(const Box&)>& test) const { return std::all_of(fault_boxes_.begin(), fault_boxes_.end(), test); }
+
+  void checkSize() {
+    constexpr double kNoPlace = 1e15; // beyond, a double does not tell one metre from the next
+    if (std::max(box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff()) > kNoPlace)
+      found_.contradiction = "x " + range(box_, 0) + ", y " + range(box_, 1) + ", z " + range(box_, 2) + " are too large for coordinates; check the columns and units";
+  }
+
+  /// The same file given twice.
+  void checkFaultsArePicks() {
+    for (const FaultInput& fault : faults_) {
+      const std::set<std::array<double, 3>> nodes = someNodesOf(fault);
+      const auto common = static_cast<std::size_t>(
+        std::count_if(picks_.points.begin(), picks_.points.end(), [&](const Vector3& p) { return nodes.count({p.x(), p.y(), p.z()}) > 0; }));
+      if (2 * common > nodes.size() && nodes.size() > 2)
+        found_.contradiction = "fault " + fault.name + " (" + fault.source + ") consists of the picks of the horizon; give the fault's own surface or sticks";
+    }
+  }
+
+  /// A pick or a few that lie so far away that all others are one point beside them: no surface comes of that.
+  void checkOutliers() {
+    constexpr double kFar = 1000.0;
+    constexpr std::size_t kMostOf = 100; // at most one pick in so many, or one
+    const Box middle = middleOf(picks_.points);
+    const double reach = kFar * std::max(middle.sizes().maxCoeff(), 1e-9 * middle.center().cwiseAbs().maxCoeff());
+    std::vector<const Vector3*> far;
+    for (const Vector3& p : picks_.points)
+      if ((p - middle.center()).cwiseAbs().maxCoeff() > reach)
+        far.push_back(&p);
+    if (far.empty() || !(reach > 0.0) || far.size() > std::max<std::size_t>(1, picks_.points.size() / kMostOf))
+      return;
+    char place[100];
+    std::snprintf(place, sizeof place, "(%.10g, %.10g, %.10g)", far[0]->x(), far[0]->y(), far[0]->z());
+    found_.contradiction = (far.size() == 1 ? std::string("one pick lies far from all others: ") :
+                                              std::to_string(far.size()) + " picks lie far from all others, the first of them ") +
+                           place + ", while the others span x " + range(middle, 0) + ", y " + range(middle, 1) + " and z " + range(middle, 2) +
+                           "; mend the file or take them out (--null VALUE if it stands for 'no data')";
+  }
 
   /// Picks that say nothing beside faults in depth are in depth if they lie there.
   void takeWayOfFaults() {

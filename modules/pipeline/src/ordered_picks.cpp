@@ -4,6 +4,7 @@
 
 #include "graben/core/threads.h"
 #include "graben/features/neighbor_grid.h"
+#include "graben/mesh/bounds.h"
 
 #include <limits>
 
@@ -20,7 +21,19 @@ void putInOrder(OrderedPicks& picks, unsigned threads) {
   picks.points = std::move(ordered);
 }
 
-bool usable(const DipMeasurement& dip) { return dip.place.allFinite() && dip.normal.allFinite() && dip.normal.norm() > 0.0; }
+/// The picks' box grown by its diagonal: what is measured beyond it says nothing of the surface, and would stretch the grid that picks are looked up in.
+Bounds around(const Points& picks, unsigned threads) {
+  Bounds box = boundsOf(picks, threads);
+  const double beyond = box.diagonal();
+  box.low.array() -= beyond;
+  box.high.array() += beyond;
+  return box;
+}
+
+bool usable(const DipMeasurement& dip, const Vector3& place, const Bounds& box) {
+  return place.allFinite() && (place.array() >= box.low.array()).all() && (place.array() <= box.high.array()).all() && dip.normal.allFinite() &&
+         dip.normal.norm() > 0.0;
+}
 
 } // namespace
 
@@ -34,11 +47,12 @@ OrderedPicks orderPicks(Points picks, const std::vector<DipMeasurement>& dips, c
   if (report.picks_repeated > 0)
     report.notes.push_back(std::to_string(report.picks_repeated) + " of " + std::to_string(result.picks) +
                            " picks lie exactly where another one is and were left out: each place counts once.");
+  const Bounds box = dips.empty() ? Bounds() : around(result.points, threads);
   std::vector<std::size_t> used;
   for (std::size_t d = 0; d < dips.size(); ++d)
-    if (usable(dips[d])) {
+    if (const Vector3 place = frame.toLocal(dips[d].place); usable(dips[d], place, box)) {
       used.push_back(d);
-      result.points.push_back(frame.toLocal(dips[d].place));
+      result.points.push_back(place);
     }
   putInOrder(result, threads);
   for (std::size_t i = 0; !used.empty() && i < result.order.size(); ++i)
@@ -48,7 +62,7 @@ OrderedPicks orderPicks(Points picks, const std::vector<DipMeasurement>& dips, c
   report.measurements_not_usable = dips.size() - used.size();
   if (used.size() < dips.size())
     report.warnings.push_back(std::to_string(dips.size() - used.size()) + " of " + std::to_string(dips.size()) +
-                              " dip measurements are not finite numbers and were left out.");
+                              " dip measurements lie far from all picks or are not finite numbers and were left out.");
   return result;
 }
 

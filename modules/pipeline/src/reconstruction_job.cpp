@@ -134,6 +134,7 @@ double ReconstructionJob::usualReach() const { return std::max(6.0 * mean_distan
 
 void ReconstructionJob::prepareParameters() {
   ReconstructionReport& report = result_.report;
+  checkLengths(options_, boundsOf(picks_.points, options_.threads));
   report.sampling = estimateSampling(grid_, options_.threads);
   if (alongLines()) // lines may lie up to half as far apart again as they do on the mean, and cells between crossing lines are as wide at their corners
     report.sampling.rho = std::max(report.sampling.rho, kRhoOfLines * given_->layout.farthest_lines);

@@ -8,6 +8,7 @@
 #include "given_picks.h"
 #include "fault_order.h"
 #include "ordered_picks.h"
+#include "parameter_checks.h"
 
 #include "graben/features/neighbor_grid.h"
 #include "graben/features/tangent_planes.h"
@@ -84,6 +85,7 @@ private:
   void bendBetweenLines();
   void tidy();
   std::size_t smallestPiece() const;
+  NoSurface noSurface(bool cut) const;
   SignedDistanceOptions distanceOptions() const;
   Points zonePoints() const;
   Vector3 latticeOrigin() const;

@@ -79,6 +79,10 @@ SheetMesh ReconstructionJob::extract() {
   }
   result_.report.cells = sheets.cells;
   result_.report.rejected_by_flip_angle = sheets.rejected_by_flip_angle;
+  if (sheets.mesh.triangles.empty())
+    refuseEmptySurface(noSurface(false));
+  if (const std::string warning = warnOfFlipAngle(result_.report, sheets.mesh.triangles.size()); !warning.empty())
+    result_.report.warnings.push_back(warning);
   return sheets;
 }
 
@@ -95,7 +99,14 @@ void ReconstructionJob::cut(SheetMesh sheets) {
   o.threads = options_.threads;
   cut_ = cutSheets(std::move(sheets), faultsUnless(options_.skip.cut), o);
   result_.report.crumbs_removed = removeCrumbs(cut_, smallestPiece(), options_.threads);
+  if (cut_.mesh.triangles.empty())
+    refuseEmptySurface(noSurface(true));
   corners_.emplace(cut_.mesh, options_.threads);
+}
+
+NoSurface ReconstructionJob::noSurface(bool cut) const {
+  const auto at_faults = static_cast<std::size_t>(std::count(reasons_.begin(), reasons_.end(), PickReason::AtFault));
+  return {result_.report, grid_.size(), at_faults + (given_ ? given_->cleared.size() : 0), mean_distance_, cut};
 }
 
 /// Triangles of the smallest piece that is told from what is left over between the walls of a fault: as many as cover a square of twice rho + delta, below

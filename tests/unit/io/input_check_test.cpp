@@ -71,6 +71,16 @@ TEST(InputCheck, AFaultFarAwayIsNotMadeToFit) {
   EXPECT_EQ(contradiction(picks, far), "");
 }
 
+TEST(InputCheck, SinglePicksFarAwayAreNamed) {
+  PickSet picks = picksAround(-2000.0);
+  picks.points.emplace_back(1e9, 5931000.0, -2000.0);
+  EXPECT_THAT(contradiction(picks, fault(-2000.0)), HasSubstr("one pick lies far from all others: (1000000000, 5931000, -2000)"));
+  picks.points.back() = {461000.0, 5931000.0, 9.9e8};
+  EXPECT_THAT(contradiction(picks, fault(-2000.0)), HasSubstr("990000000"));
+  picks.points.back() = {461000.0 + 3e5, 5931000.0, -2000.0};
+  EXPECT_EQ(contradiction(picks, fault(-2000.0)), "");
+}
+
 TEST(InputCheck, ExchangedCoordinates) {
   FaultInput turned = fault(-2000.0);
   for (FaultStick& stick : std::get<std::vector<FaultStick>>(turned.geometry))

@@ -87,11 +87,11 @@ TEST(Dips, ThatCannotFitAreLeftOutWithAWarning) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   w.dips.push_back({Vector3(nan, 0, 0), Vector3::UnitZ()});
   w.dips.push_back({Vector3(500, 500, 0), Vector3(nan, 0, 1)});
-  w.dips.push_back({Vector3(500, 500, 3000), Vector3::UnitZ()});
+  w.dips.push_back({Vector3(500, 500, 1000), Vector3::UnitZ()});
   const ReconstructionResult result = HorizonReconstruction(options()).reconstruct(w.picks, std::vector<FaultGeometry>(), w.dips);
   EXPECT_EQ(result.report.measurements_not_usable, 3U);
   ASSERT_EQ(result.report.warnings.size(), 2U) << testing::PrintToString(result.report.warnings);
-  EXPECT_THAT(result.report.warnings[0], HasSubstr("2 of 328 dip measurements are not finite"));
+  EXPECT_THAT(result.report.warnings[0], HasSubstr("2 of 328 dip measurements lie far from all picks or are not finite"));
   EXPECT_THAT(result.report.warnings[1], HasSubstr("1 of 328 dip measurements are farther than"));
   EXPECT_THAT(toJson(result.report), HasSubstr("\"not_usable\": 3"));
   EXPECT_NEAR(rms(result.mesh), rms(expected), 0.1);

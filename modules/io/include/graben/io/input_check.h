@@ -24,7 +24,8 @@ struct InputFindings {
 /// Compares the picks of a horizon and the faults that are to cut it.
 ///
 /// Where no fault comes near the picks as written, but all would with z turned over, with feet turned into metres, seconds into
-/// milliseconds or back, or with x and y exchanged, that is a contradiction; so are places in degrees. Where z spans far less or more than
+/// milliseconds or back, or with x and y exchanged, that is a contradiction; so are places in degrees, and single picks a thousand times as far away as
+/// all others spread, coordinates beyond 1e15, and faults that consist of the picks. Where z spans far less or more than
 /// x and y can (km, seconds), or the files name units that differ, that is a warning with a hint at the scale of z.
 /// z of faults counts as turned over where picks and faults say opposite ways.
 /// \param[in,out] picks where they do not say which way z grows, and all faults that say so agree and fit only as they are written, z_positive is
