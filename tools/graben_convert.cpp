@@ -73,10 +73,8 @@ public:
       write(input.faults);
     if (values_.has("quiet"))
       return 0;
-    for (const std::string& note : notes_)
-      std::fprintf(stderr, "note: %s\n", note.c_str());
-    for (const std::string& warning : input.warnings())
-      std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    tell("note", notes_);
+    tell("warning", input.warnings());
     std::printf("%s\n", done_.c_str());
     return 0;
   }

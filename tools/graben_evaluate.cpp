@@ -42,9 +42,9 @@ int evaluate(const OptionValues& values) {
   checkReport(values);
   const EvaluationFiles files = readEvaluationInput(values);
   const bool quiet = values.has("quiet");
+  tell("warning", files.warnings);
   if (!quiet)
-    for (const std::string& note : files.notes)
-      std::fprintf(stderr, "note: %s\n", note.c_str());
+    tell("note", files.notes);
   const SurfaceEvaluation evaluation = evaluateSurface(files.input, options);
   if (values.has("report")) {
     AtomicFile out(values.text("report"));

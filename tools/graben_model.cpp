@@ -67,14 +67,11 @@ int run(const OptionValues& values) {
   if (values.has("output") && result.check.good())
     writeModelFile(values.text("output"), result);
   display.reset();
-  for (const std::string& warning : input.warnings)
-    std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  for (const std::string& warning : result.warnings)
-    std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  tell("warning", input.warnings);
+  tell("warning", result.warnings);
   if (!values.has("quiet")) {
     input.notes.insert(input.notes.end(), result.notes.begin(), result.notes.end());
-    for (const std::string& note : input.notes)
-      std::fprintf(stderr, "note: %s\n", note.c_str());
+    tell("note", input.notes);
     say(result);
   }
   if (result.check.good())

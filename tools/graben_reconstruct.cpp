@@ -94,8 +94,7 @@ ReconstructionResult reconstruct(const OptionValues& values, HorizonInput input,
       realizeThrows(result, input.faults, input.dips, again);
     return result;
   } catch (const Error& error) {
-    for (const std::string& warning : input.warnings)
-      std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    tell("warning", input.warnings);
     throw Error("reconstructing " + values.text("horizon"), error.what());
   }
 }
@@ -111,7 +110,7 @@ std::vector<Requirement> readRequirements(const OptionValues& values) {
   try {
     return values.has("require") ? parseRequirements(values.text("require")) : std::vector<Requirement>();
   } catch (const InvalidInputError& error) {
-    throw UsageError(std::string("option --require: ") + error.what());
+    values.refuse("require", std::string("cannot be checked: ") + error.what());
   }
 }
 
@@ -143,6 +142,7 @@ int run(const OptionValues& values) {
   checkFaultResults(values, input.faults);
   std::vector<std::string> notes = std::move(input.notes);
   const std::vector<std::string> warnings = input.warnings;
+  const UnitNames units = unitNames(values, {input.picks.xy_unit, input.picks.z_unit});
   ReconstructionResult result = reconstruct(values, std::move(input), progress);
   result.report.warnings.insert(result.report.warnings.begin(), warnings.begin(), warnings.end());
   std::vector<StageTiming>& all = result.report.stages;
@@ -150,17 +150,15 @@ int run(const OptionValues& values) {
   StageClock writing(all, progress);
   writing.start("writing");
   notes.insert(notes.end(), result.report.notes.begin(), result.report.notes.end());
-  for (const std::string& note : writeOutputs(values, result))
+  for (const std::string& note : writeOutputs(values, result, units))
     notes.push_back(note);
   writing.stop();
   display.reset();
-  for (const std::string& warning : result.report.warnings)
-    std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  tell("warning", result.report.warnings);
   const int code = judge(requirements, result.report);
   if (quiet)
     return code;
-  for (const std::string& note : notes)
-    std::fprintf(stderr, "note: %s\n", note.c_str());
+  tell("note", notes);
   say(result);
   return code;
 }

@@ -57,18 +57,22 @@ std::vector<const TriangleMesh*> pointers(const std::deque<TriangleMesh>& meshes
 
 Content readContent(const OptionValues& values) {
   Content content;
+  std::vector<std::string> warnings;
   if (!values.positionals().empty())
-    content.mesh = readMesh(values.positionals().front());
+    content.mesh = readMesh(values.positionals().front(), &warnings);
   for (const std::string& file : values.texts("fault"))
     for (const FaultInput& fault : readFaults(file)) {
+      tell("warning", fault.warnings);
       const auto* mesh = std::get_if<TriangleMesh>(&fault.geometry);
       content.faults.push_back(
           mesh != nullptr ? *mesh : FaultSurface::loft(fault.name, std::get<std::vector<FaultStick>>(fault.geometry)).mesh);
     }
   for (const std::string& file : values.texts("truth"))
-    content.truth.push_back(readMesh(file));
+    content.truth.push_back(readMesh(file, &warnings));
   if (values.has("picks"))
     content.picks = readPicks(values.text("picks"));
+  tell("warning", content.picks.warnings);
+  tell("warning", warnings);
   return content;
 }
 

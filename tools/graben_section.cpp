@@ -61,7 +61,7 @@ SectionFileOptions fileOptions(const OptionValues& values) {
       continue;
     }
     if (std::find(kFormats.begin(), kFormats.end(), name) == kFormats.end())
-      throw UsageError("option --format: '" + name + "' is not one of svg, png, pdf, dxf, vtp, csv");
+      values.refuse("format", "names '" + name + "', which is not one of svg, png, pdf, dxf, vtp, csv");
     o.formats.insert(name);
     name.clear();
   }

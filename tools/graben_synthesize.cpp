@@ -106,7 +106,7 @@ bool readPair(const OptionValues& values, const std::string& name, double& first
     return false;
   const std::vector<double> given = values.numbers(name);
   if (given.size() > 2)
-    throw UsageError("option --" + name + ": give one number or two");
+    values.refuse(name, "is not one number or two");
   first = given.front();
   second = given.back();
   return given.size() == 2;

@@ -38,12 +38,12 @@ public:
   }
 
   void addTruth(const TruthPart& part) {
-    note(part.mesh.notes);
+    note(part.mesh);
     append(files_.input.truth, local(part.mesh.mesh, turnOver(part.mesh.z_positive, part.source)));
   }
 
   void addCutoffs(const FaultInput& lines) {
-    note(lines.notes);
+    note(lines);
     const auto* sticks = std::get_if<std::vector<FaultStick>>(&lines.geometry);
     if (sticks == nullptr)
       throw InvalidInputError("reading cutoff lines",
@@ -63,8 +63,11 @@ public:
     return result;
   }
 
-  void note(const std::vector<std::string>& notes) {
-    files_.notes.insert(files_.notes.end(), notes.begin(), notes.end());
+  /// What a reader says of its file.
+  template <typename Input>
+  void note(const Input& input) {
+    files_.notes.insert(files_.notes.end(), input.notes.begin(), input.notes.end());
+    files_.warnings.insert(files_.warnings.end(), input.warnings.begin(), input.warnings.end());
   }
 
 private:
@@ -136,10 +139,10 @@ EvaluationOptions evaluationOptions(const OptionValues& values) {
 EvaluationFiles joinEvaluation(const OptionValues& values, const EvaluationParts& parts) {
   EvaluationFiles files;
   Collector collector(files);
-  collector.note(parts.picks.notes);
+  collector.note(parts.picks);
   TriangleMesh mesh;
   for (const MeshInput& part : parts.mesh) {
-    collector.note(part.notes);
+    collector.note(part);
     append(mesh, part.mesh);
   }
   files.frame = LocalFrame::around(mesh.vertices, zPositive(values, parts.picks, parts.mesh),
@@ -148,7 +151,7 @@ EvaluationFiles joinEvaluation(const OptionValues& values, const EvaluationParts
   files.input.picks = collector.local(parts.picks.points);
   std::vector<FaultSurface> faults;
   for (const FaultInput& fault : parts.faults) {
-    collector.note(fault.notes);
+    collector.note(fault);
     faults.push_back(collector.fault(fault));
   }
   files.input.faults = FaultNetwork(std::move(faults));

@@ -17,8 +17,8 @@ struct EvaluationFiles {
   EvaluationInput input;
   LocalFrame frame;
   std::vector<std::string> cutoff_file; ///< of each cutoff line
-  std::vector<std::string>
-      notes; ///< sentences for the user: what was ignored, dropped or turned over
+  std::vector<std::string> notes;       ///< sentences for the user: what was ignored, dropped or turned over
+  std::vector<std::string> warnings;    ///< sentences for the user: what is probably not as it was meant
 };
 
 /// The options that name files and say how they are to be read.

@@ -35,7 +35,7 @@ void checkTogether(const OptionValues& values, const std::vector<FaultInput>& fa
     input.picks.z_positive = kWays[way];
   const InputFindings found = checkInput(input.picks, faults, check);
   if (!found.contradiction.empty() && !values.has("units-as-given"))
-    throw InvalidInputError("reading " + input.picks.source + " and its faults", found.contradiction);
+    throw InvalidInputError("reading " + input.picks.source + (faults.empty() ? "" : " and its faults"), found.contradiction);
   if (!found.contradiction.empty())
     input.warnings.push_back(found.contradiction);
   input.notes.insert(input.notes.end(), found.notes.begin(), found.notes.end());
@@ -62,7 +62,7 @@ std::optional<TraceDip> faultDip(const OptionValues& values) {
     dip.azimuth = azimuth;
   if (parts < 1 || static_cast<std::size_t>(used) != text.size() || !(dip.dip > 0.0 && dip.dip <= 90.0) || !(std::abs(azimuth) <= 360.0) ||
       (dip.dip < 90.0 && parts < 2))
-    throw UsageError("option --fault-dip: '" + text + "' is not DEG,AZIMUTH with a dip over 0 and up to 90 degrees and the azimuth it dips towards (90 alone: "
+    values.refuse("fault-dip", "is not DEG,AZIMUTH with a dip over 0 and up to 90 degrees and the azimuth it dips towards (90 alone: "
                      "vertical)");
   return dip;
 }
@@ -121,7 +121,7 @@ ReadOptions readOptions(const OptionValues& values, const ProgressCallback& prog
     while (std::getline(list, column, ','))
       read.columns.push_back(column);
     if (read.columns.size() != 3)
-      throw UsageError("option --columns: '" + values.text("columns") + "' does not name three columns, X,Y,Z");
+      values.refuse("columns", "does not name three columns, X,Y,Z");
   }
   const std::vector<std::string>& nulls = values.texts("null");
   read.recognise_nulls = std::find(nulls.begin(), nulls.end(), "none") == nulls.end();
@@ -139,7 +139,7 @@ void declareParameterOptions(OptionParser& parser, bool with_extension) {
     .value("neighbors", "K", "picks a tangent plane is fitted to: 15, up to 60 where the noise is large")
     .value("rho", "R", "sampling density: holes wider than about twice this stay open")
     .value("delta", "D", "largest noise of the picks")
-    .value("flip-angle", "DEG", "triangles turned farther than this from the planes around are left out; 180: none", "60")
+    .value("flip-angle", "DEG", "at the edge of the data, triangles turned farther than this from the planes around are left out; 180: none", "60")
     .value("zone-width", "W", "the zone fitted to the faults reaches this far from them")
     .value("fault-reach", "D", "farthest the surface is carried on from the last picks to a fault; each vertex is written with its distance to the "
                                "nearest pick and whether that is beyond the data (default: as far as picks stop before it, up to a sixth of the "
@@ -236,9 +236,9 @@ ReconstructionOptions reconstructionOptions(const OptionValues& values, ZPositiv
   o.throw_interval = values.number("throw-interval", 0.0, kHuge);
   o.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
   o.memory_limit = values.text("memory-limit").empty() ? defaultMemoryLimit() : static_cast<std::size_t>(1e9 * values.number("memory-limit", 0.0, 1e6));
-  for (const std::string& step : values.texts("skip"))
-    if (!skipStep(o.skip, step))
-      throw UsageError("option --skip: '" + step + "' is not one of " + stepNames());
+  for (std::size_t i = 0; i < values.texts("skip").size(); ++i)
+    if (!skipStep(o.skip, values.texts("skip")[i]))
+      values.refuse("skip", "is not one of " + stepNames(), i);
   return o;
 }
 

@@ -47,7 +47,7 @@ void readOutline(const OptionValues& values, ModelOptions& o) {
   if (text == "auto")
     return;
   if (text.rfind("box:", 0) != 0)
-    throw UsageError("option --outline: '" + text + "' is neither auto nor box:X0,Y0,X1,Y1");
+    values.refuse("outline", "is neither auto nor box:X0,Y0,X1,Y1");
   std::array<double, 4> box{};
   std::size_t from = 4;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -60,7 +60,7 @@ void readOutline(const OptionValues& values, ModelOptions& o) {
       used = 0;
     }
     if (number.empty() || used != number.size() || !std::isfinite(box[i]))
-      throw UsageError("option --outline: '" + text + "' is not box:X0,Y0,X1,Y1 with four numbers");
+      values.refuse("outline", "is not box:X0,Y0,X1,Y1 with four numbers");
     from = comma + 1;
   }
   o.outline = box;

@@ -136,13 +136,14 @@ OptionParser& OptionParser::epilog(const std::string& text) {
 
 const OptionParser::Option& OptionParser::find(const std::string& name,
                                                const std::string& where) const {
+  constexpr std::size_t longest_word = 100; // longer ones are like none
   const Option* nearest = nullptr;
   std::size_t nearest_distance = 0;
   for (const Option& option : options_) {
     if (option.name == name)
       return option;
     const bool prefix = !name.empty() && option.name.rfind(name, 0) == 0;
-    const std::size_t distance = prefix ? 1 : editDistance(option.name, name);
+    const std::size_t distance = prefix ? 1 : editDistance(option.name, name.substr(0, longest_word));
     if (!nearest || distance < nearest_distance) {
       nearest = &option;
       nearest_distance = distance;
@@ -163,6 +164,7 @@ void OptionParser::take(const Option& option, const std::vector<std::string>& va
     entry.values.clear();
   entry.given = true;
   entry.values.insert(entry.values.end(), values.begin(), values.end());
+  entry.where.insert(entry.where.end(), values.size(), where);
   for (const std::string& value : values)
     if (value.empty())
       throw UsageError(where + "option --" + option.name + " has an empty value");
@@ -208,6 +210,8 @@ void OptionParser::readConfig(const std::string& file, OptionValues& into) const
     throw IoError(file, "cannot open the configuration file");
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {
+    if (number == 1 && (line.rfind("\xFF\xFE", 0) == 0 || line.rfind("\xFE\xFF", 0) == 0))
+      throw UsageError(file + ": is in UTF-16; save it as UTF-8 or plain text");
     if (number == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0)
       line.erase(0, 3); // byte order mark
     line = trimmed(line);

@@ -51,15 +51,23 @@ public:
   /// The index of the value among \a allowed. \throw UsageError listing them if it is none of them
   std::size_t choice(const std::string& name, const std::vector<std::string>& allowed) const;
 
+  /// Refuses a value of an option: where it stands in a configuration file, the option, the value and why.
+  /// \param[in] which place in texts(name)
+  /// \throw UsageError always
+  [[noreturn]] void refuse(const std::string& name, const std::string& why, std::size_t which = 0) const;
+
   const std::vector<std::string>& positionals() const { return positionals_; }
 
 private:
   friend class OptionParser;
   struct Entry {
     std::vector<std::string> values; ///< given, or else the default
+    std::vector<std::string> where;  ///< of each value given: "file:line: ", empty on the command line
     bool given = false;
   };
   const Entry& entry(const std::string& name) const;
+  double numberIn(const std::string& name, const std::string& text, std::size_t which) const;
+  std::vector<double> numbersIn(const std::string& name, std::size_t which, std::size_t count) const;
 
   std::map<std::string, Entry> entries_;
   std::vector<std::string> positionals_;

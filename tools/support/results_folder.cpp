@@ -22,10 +22,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-MeshWriteOptions meshOptions(const ReconstructionResult& result, const std::string& name) {
+/// What is written, and the units that headers name.
+struct Output {
+  const ReconstructionResult& result;
+  const UnitNames& units;
+};
+
+MeshWriteOptions meshOptions(const Output& output, const std::string& name) {
   MeshWriteOptions o;
   o.name = name;
-  o.z_positive = result.frame.z_positive;
+  o.xy_unit = output.units.xy;
+  o.z_unit = output.units.z;
+  o.z_positive = output.result.frame.z_positive;
   return o;
 }
 
@@ -41,17 +49,19 @@ std::string faultFile(const char* what, std::size_t fault, const ReconstructionR
   return fileOfFault(what, fault, result.faults[fault].name);
 }
 
-void writePieces(const fs::path& dir, const ReconstructionResult& result) {
+void writePieces(const fs::path& dir, const Output& output) {
+  const ReconstructionResult& result = output.result;
   const std::vector<TriangleMesh> pieces = splitComponents(result.mesh, connectedComponents(result.mesh));
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const fs::path file = dir / pieceFile(i + 1);
-    writeMesh(file.string(), pieces[i], meshOptions(result, file.stem().string()));
+    writeMesh(file.string(), pieces[i], meshOptions(output, file.stem().string()));
   }
 }
 
-void writeFaults(const fs::path& dir, const ReconstructionResult& result) {
+void writeFaults(const fs::path& dir, const Output& output) {
+  const ReconstructionResult& result = output.result;
   for (std::size_t f = 0; f < result.faults.size(); ++f)
-    writeMesh((dir / (faultFile("fault", f, result) + ".ts")).string(), result.faults[f].mesh, meshOptions(result, result.faults[f].name));
+    writeMesh((dir / (faultFile("fault", f, result) + ".ts")).string(), result.faults[f].mesh, meshOptions(output, result.faults[f].name));
 }
 
 /// Where the pieces meet the faults, one polyline for each run of border, a file per fault.
@@ -135,29 +145,30 @@ void writeSetAside(const fs::path& dir, const ReconstructionResult& result) {
   writeTable((dir / "set_aside.csv").string(), {{"pick", number}, {"x", x}, {"y", y}, {"z", z}, {"reason", reason}});
 }
 
-std::vector<std::string> writeSurface(const OptionValues& values, const ReconstructionResult& result) {
-  MeshWriteOptions o = meshOptions(result, fs::path(values.text("output")).stem().string());
+std::vector<std::string> writeSurface(const OptionValues& values, const Output& output) {
+  MeshWriteOptions o = meshOptions(output, fs::path(values.text("output")).stem().string());
   o.gocad_properties = values.has("gocad-properties");
-  return writeMesh(values.text("output"), result.mesh, o);
+  return writeMesh(values.text("output"), output.result.mesh, o);
 }
 
 /// All that goes with the surface, into \a dir. \return why there are no pictures
-std::vector<std::string> writeResults(const fs::path& dir, const OptionValues& values, const ReconstructionResult& result) {
-  writeMesh((dir / "surface.ply").string(), result.mesh, meshOptions(result, "surface"));
+std::vector<std::string> writeResults(const fs::path& dir, const OptionValues& values, const Output& output) {
+  const ReconstructionResult& result = output.result;
+  writeMesh((dir / "surface.ply").string(), result.mesh, meshOptions(output, "surface"));
   TriangleMesh local = result.mesh;
   for (Vector3& p : local.vertices)
     p -= result.frame.origin;
-  writeMesh((dir / "surface.vtk").string(), local, meshOptions(result, "surface"));
-  writePieces(dir, result);
-  writeFaults(dir, result);
+  writeMesh((dir / "surface.vtk").string(), local, meshOptions(output, "surface"));
+  writePieces(dir, output);
+  writeFaults(dir, output);
   writeCutoffs(dir, result);
   writeSetAside(dir, result);
   writeThrows(dir, result);
-  writeProfiles(dir, result, unitNames(values));
+  writeProfiles(dir, result, output.units);
   writePolygons(dir, result);
   writePicks(dir, result);
   writeText(dir / "report.json", toJson(result.report));
-  return drawPictures(dir, result, unitNames(values), pictureChoice(values));
+  return drawPictures(dir, result, output.units, pictureChoice(values));
 }
 
 /// Steps of writing, of which an error says which are done.
@@ -198,9 +209,9 @@ private:
   std::vector<std::string> left_, done_;
 };
 
-std::vector<std::string> writeStaged(const FileSet& set, const OptionValues& values, const ReconstructionResult& result) {
+std::vector<std::string> writeStaged(const FileSet& set, const OptionValues& values, const Output& output) {
   try {
-    return writeResults(set.staging(), values, result);
+    return writeResults(set.staging(), values, output);
   } catch (const IoError& error) {
     throw set.inPlace(error);
   }
@@ -208,7 +219,8 @@ std::vector<std::string> writeStaged(const FileSet& set, const OptionValues& val
 
 } // namespace
 
-std::vector<std::string> writeOutputs(const OptionValues& values, const ReconstructionResult& result) {
+std::vector<std::string> writeOutputs(const OptionValues& values, const ReconstructionResult& result, const UnitNames& units) {
+  const Output output{result, units};
   std::vector<std::string> notes;
   const auto add = [&notes](const std::vector<std::string>& more) { notes.insert(notes.end(), more.begin(), more.end()); };
   WritingSteps steps(values);
@@ -216,10 +228,10 @@ std::vector<std::string> writeOutputs(const OptionValues& values, const Reconstr
   if (values.has("results"))
     steps.run(false, [&] {
       results.emplace(values.text("results"), resultsSet());
-      add(writeStaged(*results, values, result));
+      add(writeStaged(*results, values, output));
     });
   if (values.has("output"))
-    steps.run(true, [&] { add(writeSurface(values, result)); });
+    steps.run(true, [&] { add(writeSurface(values, output)); });
   if (values.has("report"))
     steps.run(true, [&] { writeText(values.text("report"), toJson(result.report)); });
   if (results)

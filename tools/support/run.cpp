@@ -32,6 +32,11 @@ int complain(const std::string& tool, const std::string& message, int code) {
 
 } // namespace
 
+void tell(const char* what, const std::vector<std::string>& sentences) {
+  for (const std::string& sentence : sentences)
+    std::fprintf(stderr, "%s: %s\n", what, oneLine(sentence).c_str());
+}
+
 int runTool(const OptionParser& parser, int argc, const char* const* argv,
             const std::function<int(const OptionValues&)>& body) {
   try {

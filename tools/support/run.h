@@ -3,6 +3,8 @@
 #include "support/options.h"
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace graben {
 
@@ -23,5 +25,8 @@ enum ExitCode : int {
 /// the temporary files of this process first. \return the body's own return value (0 by custom), or an ExitCode
 int runTool(const OptionParser& parser, int argc, const char* const* argv,
             const std::function<int(const OptionValues&)>& body);
+
+/// Sentences for the user on standard error, one line each behind \a what they are: "note", "warning".
+void tell(const char* what, const std::vector<std::string>& sentences);
 
 } // namespace graben

@@ -37,7 +37,7 @@ std::set<std::string> chosenOf(const OptionValues& values, const std::string& op
   std::istringstream text(values.text(option));
   for (std::string name; std::getline(text, name, ',');) {
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw UsageError("option --" + option + ": '" + name + "' is not one of " + listOf(known));
+      values.refuse(option, "names '" + name + "', which is not one of " + listOf(known));
     chosen.insert(name);
   }
   return chosen;

@@ -43,17 +43,20 @@ void writePolygonTable(const fs::path& dir, const ReconstructionResult& result) 
 } // namespace
 
 void declareUnitOptions(OptionParser& parser) {
-  parser.value("xy-unit", "UNIT", "name of the unit of x and y, for headers and pictures", "m")
-    .value("z-unit", "UNIT", "name of the unit of z (default: m; ms where --z-scale is not 1)");
+  parser.value("xy-unit", "UNIT", "name of the unit of x and y, for headers and pictures (default: as the picks' file says, else m)")
+    .value("z-unit", "UNIT", "name of the unit of z (default: as the picks' file says, else that of x and y; ms where --z-scale is not 1)");
 }
 
-UnitNames unitNames(const OptionValues& values) {
-  UnitNames units;
-  units.xy = values.text("xy-unit");
-  units.z = !values.text("z-unit").empty() ? values.text("z-unit") : values.number("z-scale") == 1.0 ? units.xy : "ms";
-  for (const std::string& unit : {units.xy, units.z})
+UnitNames unitNames(const OptionValues& values, const UnitNames& of_picks) {
+  for (const char* option : {"xy-unit", "z-unit"}) {
+    const std::string& unit = values.text(option);
     if (unit.size() > 16 || !std::all_of(unit.begin(), unit.end(), [](unsigned char c) { return std::isalnum(c) != 0; }))
-      throw UsageError("'" + unit + "' is no name of a unit: up to 16 letters and digits, such as m, ft or ms");
+      values.refuse(option, "is no name of a unit: up to 16 letters and digits, such as m, ft or ms");
+  }
+  const auto first = [](std::initializer_list<std::string> names) { return *std::find_if(names.begin(), names.end() - 1, [](const auto& n) { return !n.empty(); }); };
+  UnitNames units;
+  units.xy = first({values.text("xy-unit"), of_picks.xy, "m"});
+  units.z = first({values.text("z-unit"), of_picks.z, values.number("z-scale") == 1.0 ? units.xy : "ms"});
   return units;
 }
 

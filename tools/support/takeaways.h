@@ -17,8 +17,10 @@ struct UnitNames {
 /// Declares --xy-unit and --z-unit.
 void declareUnitOptions(OptionParser& parser);
 
+/// What the options say, else what the picks' file does, else metres (z: milliseconds where it is scaled).
+/// \param[in] of_picks units as the file of the picks names them, empty where it does not
 /// \throw UsageError if a unit's name has characters that a header cannot hold
-UnitNames unitNames(const OptionValues& values);
+UnitNames unitNames(const OptionValues& values, const UnitNames& of_picks = {"", ""});
 
 /// Writes, for each fault that cuts the horizon, its throw along strike: profile_N_NAME.csv.
 void writeProfiles(const std::filesystem::path& dir, const ReconstructionResult& result, const UnitNames& units);

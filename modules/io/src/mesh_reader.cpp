@@ -93,8 +93,10 @@ std::vector<MeshInput> readMeshes(const std::string& path) {
   return meshes;
 }
 
-TriangleMesh readMesh(const std::string& path) {
+TriangleMesh readMesh(const std::string& path, std::vector<std::string>* warnings) {
   std::vector<MeshInput> meshes = readMeshes(path);
+  for (std::size_t i = 0; warnings != nullptr && i < meshes.size(); ++i)
+    warnings->insert(warnings->end(), meshes[i].warnings.begin(), meshes[i].warnings.end());
   if (meshes.size() > 1)
     labelParts(meshes);
   TriangleMesh whole = std::move(meshes.front().mesh);

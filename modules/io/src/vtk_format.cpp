@@ -305,6 +305,18 @@ void addPointData(const TriangleMesh& mesh, const MeshWriteOptions& options, vtk
   }
 }
 
+std::string writtenText(vtkPolyDataWriter& writer) {
+  writer.WriteToOutputStringOn();
+  writer.Write();
+  return writer.GetOutputStdString();
+}
+
+std::string writtenText(vtkXMLPolyDataWriter& writer) {
+  writer.WriteToOutputStringOn();
+  writer.Write();
+  return writer.GetOutputString();
+}
+
 template <typename Writer>
 void runWriter(Writer& writer, const std::string& path, const TriangleMesh& mesh, const MeshWriteOptions& options) {
   const vtkNew<vtkPolyData> data = polyDataOf(mesh);
@@ -312,6 +324,11 @@ void runWriter(Writer& writer, const std::string& path, const TriangleMesh& mesh
   AtomicFile file(path);
   const CatchMessages messages;
   writer.SetInputData(data);
+  if (file.writingPath() == path) { // a device or a pipe, or a link to one: VTK would remove it if it took no data
+    file.write(writtenText(writer));
+    file.commit();
+    return;
+  }
   writer.SetFileName(file.writingPath().c_str());
   if (writer.Write() == 0 || writer.GetErrorCode() != 0)
     throw WriteError(path, "cannot be written: the disk is full, or the device takes no data");

@@ -31,6 +31,7 @@ std::vector<MeshInput> readMeshes(const std::string& path);
 
 /// All meshes of a file as one. Several parts of a GOCAD file (TFACE, TSurf) become pieces 0, 1,
 /// ... in file order.
-TriangleMesh readMesh(const std::string& path);
+/// \param[out] warnings gets those of all meshes too, unless null
+TriangleMesh readMesh(const std::string& path, std::vector<std::string>* warnings = nullptr);
 
 } // namespace graben
