@@ -9,16 +9,6 @@ namespace {
 
 constexpr double kSlack = 1.01; // of the margin: a vertex just made at the margin is not beyond it
 
-std::vector<std::vector<Index>> neighboursOf(const TriangleMesh& mesh) {
-  std::vector<std::vector<Index>> neighbours(mesh.vertices.size());
-  for (const Triangle& t : mesh.triangles)
-    for (std::size_t e = 0; e < 3; ++e) {
-      neighbours[static_cast<std::size_t>(t[e])].push_back(t[(e + 1) % 3]);
-      neighbours[static_cast<std::size_t>(t[(e + 1) % 3])].push_back(t[e]);
-    }
-  return neighbours;
-}
-
 } // namespace
 
 SignedSurface::Value SignedSurface::at(const Vector3& p) const {
@@ -32,9 +22,7 @@ double ClipBeyond::beyond(const Vector3& p) const {
   return -side * surface.at(p).signed_distance;
 }
 
-std::vector<bool> ClipBeyond::connectedBeyond(const TriangleMesh& mesh,
-                                              const std::vector<Index>& seeds) const {
-  const auto neighbours = neighboursOf(mesh);
+std::vector<bool> ClipBeyond::connectedBeyond(const TriangleMesh& mesh, const VertexCorners& corners, const std::vector<Index>& seeds) const {
   std::vector<bool> found(mesh.vertices.size(), false);
   std::vector<Index> queue;
   const auto visit = [&](Index v) { // false if the part goes on beyond the reach
@@ -54,14 +42,14 @@ std::vector<bool> ClipBeyond::connectedBeyond(const TriangleMesh& mesh,
     if (!visit(seed))
       return {};
   for (std::size_t k = 0; k < queue.size(); ++k)
-    for (const Index w : neighbours[static_cast<std::size_t>(queue[k])]) {
-      if (!visit(w))
-        return {};
-      passes_through =
-          passes_through || (!found[static_cast<std::size_t>(w)] &&
-                             surface.bvh().hits(mesh.vertices[static_cast<std::size_t>(queue[k])],
-                                                mesh.vertices[static_cast<std::size_t>(w)]));
-    }
+    for (const Index corner : corners.of(static_cast<std::size_t>(queue[k])))
+      for (const Index step : {1, 2}) {
+        const Index w = mesh.triangles[static_cast<std::size_t>(corner / 3)][static_cast<std::size_t>((corner % 3 + step) % 3)];
+        if (!visit(w))
+          return {};
+        passes_through = passes_through || (!found[static_cast<std::size_t>(w)] && surface.bvh().hits(mesh.vertices[static_cast<std::size_t>(queue[k])],
+                                                                                                       mesh.vertices[static_cast<std::size_t>(w)]));
+      }
   return passes_through ? found : std::vector<bool>();
 }
 
@@ -75,8 +63,8 @@ Vector3 ClipBeyond::cutPoint(const Vector3& kept, const Vector3& gone) const {
   return kept + low * (gone - kept);
 }
 
-bool ClipBeyond::operator()(TriangleMesh& mesh, const std::vector<Index>& seeds) const {
-  const std::vector<bool> gone = connectedBeyond(mesh, seeds);
+bool ClipBeyond::operator()(TriangleMesh& mesh, const VertexCorners& corners, const std::vector<Index>& seeds) const {
+  const std::vector<bool> gone = connectedBeyond(mesh, corners, seeds);
   if (gone.empty() || std::none_of(gone.begin(), gone.end(), [](bool g) { return g; }))
     return false;
   std::map<std::pair<Index, Index>, Index> cuts;

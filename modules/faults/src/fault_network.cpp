@@ -51,8 +51,12 @@ FaultNetwork::FaultNetwork(std::vector<FaultSurface> faults, double branch_reach
   }
   boxes_ = FaultBoxes(boxes);
   branches_of_.resize(faults_.size());
-  for (std::size_t b = 0; b < branches_.size(); ++b)
-    branches_of_[static_cast<std::size_t>(branches_[b].fault)].push_back(b);
+  for (std::size_t b = 0; b < branches_.size(); ++b) {
+    std::vector<std::size_t>& of_fault = branches_of_[static_cast<std::size_t>(branches_[b].fault)];
+    const auto same = [&](std::size_t other) { return branches_[other].main_fault == branches_[b].main_fault && branches_[other].side == branches_[b].side; };
+    if (std::none_of(of_fault.begin(), of_fault.end(), same)) // parts of a border that join the same fault from the same side say the same
+      of_fault.push_back(b);
+  }
 }
 
 bool FaultNetwork::crosses(const Vector3& a, const Vector3& b) const {

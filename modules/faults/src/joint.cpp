@@ -187,7 +187,7 @@ void Joint::addStretches(const BorderRun& run, const std::vector<BorderPoint>& p
   }
 }
 
-bool Joint::clip(const Stretch& stretch) {
+bool Joint::clip(const Stretch& stretch, const VertexCorners& corners) {
   std::vector<Index> seeds;
   for (std::size_t e = 0; e < stretch.half_edges.size(); ++e) {
     if (stretch.points[e].meeting.along < 0.0)
@@ -195,15 +195,16 @@ bool Joint::clip(const Stretch& stretch) {
     if (stretch.points[e + 1].meeting.along < 0.0)
       seeds.push_back(endOf(mesh_, stretch.half_edges[e]));
   }
-  return !seeds.empty() && ClipBeyond{main_, stretch.side, overshoot_, reach_}(mesh_, seeds);
+  return !seeds.empty() && ClipBeyond{main_, stretch.side, overshoot_, reach_}(mesh_, corners, seeds);
 }
 
 void Joint::clipOvershoots(std::vector<FaultBranch>& branches) {
   // Clipping renumbers the mesh, so the border is looked at anew after each.
   for (int i = 0; i < kMostClips; ++i) {
     bool clipped = false;
+    const VertexCorners corners(mesh_, 1);
     for (const Stretch& s : stretches())
-      if (clip(s)) {
+      if (clip(s, corners)) {
         branches.emplace_back().side = s.side;
         clipped = true;
         break;

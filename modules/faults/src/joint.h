@@ -4,6 +4,8 @@
 #include "graben/faults/fault_network.h"
 #include "signed_surface.h"
 
+#include "graben/mesh/vertex_corners.h"
+
 namespace graben::detail {
 
 /// Joins one fault (the branch) to one other (the main fault) wherever it ends there.
@@ -56,7 +58,7 @@ private:
                     std::vector<Stretch>& result) const;
   void addEdge(Stretch& stretch, Index half_edge, const BorderPoint& end) const;
 
-  bool clip(const Stretch& stretch);
+  bool clip(const Stretch& stretch, const VertexCorners& corners);
   void clipOvershoots(std::vector<FaultBranch>& branches);
 
   double widthAt(const Meeting& meeting) const;
