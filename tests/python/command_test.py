@@ -10,7 +10,7 @@ import pytest
 
 import graben
 
-TOOL = Path(os.environ["GRABEN_SOURCE_DIR"]) / "tools" / "graben_ensemble"
+TOOL = Path(os.environ["GRABEN_BIN_DIR"]) / "graben_ensemble"
 
 
 def run(*arguments):
