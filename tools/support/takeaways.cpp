@@ -53,7 +53,9 @@ UnitNames unitNames(const OptionValues& values, const UnitNames& of_picks) {
     if (unit.size() > 16 || !std::all_of(unit.begin(), unit.end(), [](unsigned char c) { return std::isalnum(c) != 0; }))
       values.refuse(option, "is no name of a unit: up to 16 letters and digits, such as m, ft or ms");
   }
-  const auto first = [](std::initializer_list<std::string> names) { return *std::find_if(names.begin(), names.end() - 1, [](const auto& n) { return !n.empty(); }); };
+  const auto first = [](std::initializer_list<std::string> names) {
+    return *std::find_if(names.begin(), names.end() - 1, [](const auto& n) { return !n.empty(); });
+  };
   UnitNames units;
   units.xy = first({values.text("xy-unit"), of_picks.xy, "m"});
   units.z = first({values.text("z-unit"), of_picks.z, values.number("z-scale") == 1.0 ? units.xy : "ms"});

@@ -97,8 +97,9 @@ int rankAsZ(const std::string& name) {
 /// Names made of words for depth, time or height only: "Depth TVDSS (ft)", "Seismic TWT Time".
 bool isMadeOfWordsForZ(const std::string& name) {
   static const std::vector<std::string> core = {"z", "depth", "tvd", "tvdss", "time", "twt", "owt", "elevation", "elev", "height", "subsea"};
-  static const std::vector<std::string> beside = {"ss", "sub", "sea", "msl", "two", "way", "one", "true", "vertical", "value", "picked", "pick", "seismic", "horizon",
-                                                  "structure", "structural", "level", "mean", "above", "below", "datum", "coordinate", "point"};
+  static const std::vector<std::string> beside = {"ss",       "sub",   "sea",    "msl",   "two",     "way",        "one",       "true",
+                                                  "vertical", "value", "picked", "pick",  "seismic", "horizon",    "structure", "structural",
+                                                  "level",    "mean",  "above",  "below", "datum",   "coordinate", "point"};
   std::vector<std::string> words = wordsOf(name);
   if (words.size() > 1 && !unitOf(words.back()).empty())
     words.pop_back();
@@ -240,7 +241,8 @@ std::array<int, 3> findCoordinateColumns(const std::vector<std::string>& names) 
 
 std::string nameGivenTwice(const std::vector<std::string>& names) {
   for (const int column : findCoordinateColumns(names))
-    if (column >= 0 && std::count_if(names.begin(), names.end(), [&](const auto& n) { return plainName(n) == plainName(names[static_cast<std::size_t>(column)]); }) > 1)
+    if (column >= 0 &&
+        std::count_if(names.begin(), names.end(), [&](const auto& n) { return plainName(n) == plainName(names[static_cast<std::size_t>(column)]); }) > 1)
       return names[static_cast<std::size_t>(column)];
   return {};
 }

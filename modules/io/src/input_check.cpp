@@ -152,7 +152,8 @@ private:
   void checkSize() {
     constexpr double kNoPlace = 1e15; // beyond, a double does not tell one metre from the next
     if (std::max(box_.min().cwiseAbs().maxCoeff(), box_.max().cwiseAbs().maxCoeff()) > kNoPlace)
-      found_.contradiction = "x " + range(box_, 0) + ", y " + range(box_, 1) + ", z " + range(box_, 2) + " are too large for coordinates; check the columns and units";
+      found_.contradiction =
+          "x " + range(box_, 0) + ", y " + range(box_, 1) + ", z " + range(box_, 2) + " are too large for coordinates; check the columns and units";
   }
 
   /// The same file given twice.

@@ -157,7 +157,8 @@ private:
       return false;
     layout_.columns = {place[0], place[1], 3 - place[0] - place[1]};
     layout_.names_used = true;
-    picks_.notes.push_back("column " + std::to_string(layout_.columns[2] + 1) + ", '" + nameOf(layout_, static_cast<std::size_t>(layout_.columns[2])) + "', taken as z");
+    picks_.notes.push_back("column " + std::to_string(layout_.columns[2] + 1) + ", '" + nameOf(layout_, static_cast<std::size_t>(layout_.columns[2])) +
+                           "', taken as z");
     return true;
   }
 

@@ -24,8 +24,9 @@ void checkLengths(const ReconstructionOptions& options, const Bounds& picks) {
   const std::pair<const char*, double> lengths[] = {{"voxel size", options.voxel_size}, {"rho", options.rho}, {"delta", options.delta}};
   for (const auto& [name, length] : lengths)
     if (length > longest)
-      throw InvalidInputError("options", std::string("the ") + name + " of " + shortNumber(length) + " is longer than the whole cloud of picks, " + shortNumber(longest) +
-                                           " from corner to corner; give it in the picks' units, or leave it out to have it estimated");
+      throw InvalidInputError("options", std::string("the ") + name + " of " + shortNumber(length) + " is longer than the whole cloud of picks, " +
+                                             shortNumber(longest) +
+                                             " from corner to corner; give it in the picks' units, or leave it out to have it estimated");
 }
 
 void refuseEmptySurface(const NoSurface& what) {

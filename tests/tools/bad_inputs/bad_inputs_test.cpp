@@ -10,7 +10,9 @@
 namespace graben::test {
 
 std::string goodPicks() {
-  return rows(400, [](int i) { return std::to_string(10 * (i / 20) + i % 3) + " " + std::to_string(10 * (i % 20) + i / 20 % 3) + " " + std::to_string(100 + i % 2); });
+  return rows(400, [](int i) {
+    return std::to_string(10 * (i / 20) + i % 3) + " " + std::to_string(10 * (i % 20) + i / 20 % 3) + " " + std::to_string(100 + i % 2);
+  });
 }
 
 std::string goodSticks() { return "95 -50 50\n105 -50 150\n999 999 999\n95 95 50\n105 95 150\n999 999 999\n95 250 50\n105 250 150\n999 999 999\n"; }
@@ -31,7 +33,8 @@ bool has(const std::string& arguments, const std::string& option) { return (" " 
 /// The row's arguments, and for each option they do not give the good file.
 std::string everyJob(const std::string& arguments) {
   std::string all = arguments;
-  for (const auto& [option, file] : {std::pair("--horizon", "picks.xyz"), std::pair("--fault", "fault.pol"), std::pair("--output", "top.ply"), std::pair("--report", "report.json")})
+  for (const auto& [option, file] :
+       {std::pair("--horizon", "picks.xyz"), std::pair("--fault", "fault.pol"), std::pair("--output", "top.ply"), std::pair("--report", "report.json")})
     if (!has(arguments, option))
       all = std::string(option) + " " + file + " " + all;
   return all;
