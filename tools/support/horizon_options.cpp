@@ -21,8 +21,6 @@ namespace {
 
 constexpr double kHuge = 1e12;
 
-FaultGeometry geometryOf(FaultInput&& input) { return {std::move(input.name), std::move(input.geometry), input.z_positive}; }
-
 constexpr ZPositive kWays[] = {ZPositive::Unknown, ZPositive::Up, ZPositive::Down};
 
 /// \throw InvalidInputError if picks and faults cannot be of one frame
@@ -179,8 +177,7 @@ HorizonInput joinHorizonInput(const OptionValues& values, PickSet picks, std::ve
       fault.z_positive = kWays[way];
   }
   checkTogether(values, faults, input);
-  for (FaultInput& fault : faults)
-    input.faults.push_back(geometryOf(std::move(fault)));
+  input.faults = std::move(faults);
   return input;
 }
 

@@ -10,7 +10,7 @@ namespace graben {
 /// What a command that reconstructs reads from files.
 struct HorizonInput {
   PickSet picks;
-  std::vector<FaultGeometry> faults;
+  std::vector<FaultInput> faults;
   std::vector<DipMeasurement> dips;
   std::vector<std::string> notes;    ///< sentences for the user: what was ignored, dropped or assumed
   std::vector<std::string> warnings; ///< sentences for the user: what is probably not as it was meant

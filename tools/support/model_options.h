@@ -13,7 +13,7 @@ namespace graben {
 /// What graben_model reads.
 struct ModelInput {
   std::vector<ModelHorizon> horizons;
-  std::vector<FaultGeometry> faults;
+  std::vector<FaultInput> faults;
   ModelOptions options;
   std::vector<std::string> notes;    ///< sentences for the user
   std::vector<std::string> warnings; ///< the same: what is probably not as it was meant

@@ -15,6 +15,6 @@ const FileSetNames& resultsSet();
 void checkHorizonOutputs(const OptionValues& values);
 
 /// The same for the files of --results whose names depend on the faults.
-void checkFaultResults(const OptionValues& values, const std::vector<FaultGeometry>& faults);
+void checkFaultResults(const OptionValues& values, const std::vector<FaultInput>& faults);
 
 } // namespace graben

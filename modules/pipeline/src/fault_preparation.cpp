@@ -15,29 +15,6 @@ namespace graben {
 
 namespace {
 
-/// The frame to read a fault in: its own z direction where its file says one, the picks' otherwise.
-Vector3 toLocal(const Vector3& p, ZPositive z_positive, const LocalFrame& frame) {
-  if (z_positive == ZPositive::Unknown || z_positive == frame.z_positive)
-    return frame.toLocal(p);
-  return frame.toLocal(Vector3(p.x(), p.y(), -p.z()));
-}
-
-LoftedFaults localSurfaces(const FaultGeometry& fault, const LocalFrame& frame, const LoftOptions& options) {
-  if (const auto* mesh = std::get_if<TriangleMesh>(&fault.geometry)) {
-    TriangleMesh local;
-    local.triangles = mesh->triangles;
-    local.vertices.reserve(mesh->vertices.size());
-    for (const Vector3& p : mesh->vertices)
-      local.vertices.push_back(toLocal(p, fault.z_positive, frame));
-    return meshedFault(fault.name, local, options);
-  }
-  std::vector<FaultStick> sticks = std::get<std::vector<FaultStick>>(fault.geometry);
-  for (FaultStick& stick : sticks)
-    for (Vector3& p : stick.points)
-      p = toLocal(p, fault.z_positive, frame);
-  return loftFaults(fault.name, sticks, options);
-}
-
 constexpr std::size_t kStrayPicks = 8; // beyond an end at the data's edge; inside the data there are several times as many
 
 /// Whether an end of a fault lies at the data's edge: picks on its near side, but hardly any farther along strike. Such an end is no tip.
@@ -178,14 +155,14 @@ private:
 
 } // namespace
 
-std::vector<FaultSurface> prepareFaults(const std::vector<FaultGeometry>& faults, const LocalFrame& frame, const NeighborGrid& picks,
+std::vector<FaultSurface> prepareFaults(const std::vector<FaultInput>& faults, const LocalFrame& frame, const NeighborGrid& picks,
                                         const FaultPreparation& options, std::vector<std::string>& warnings,
                                         std::vector<std::string>& notes, std::vector<double>* extended) {
   std::vector<FaultSurface> surfaces;
-  for (const FaultGeometry& fault : faults) {
+  for (const FaultInput& fault : faults) {
     if (fault.z_positive != ZPositive::Unknown && fault.z_positive != frame.z_positive)
       warnings.push_back("Fault " + fault.name + " has its z the other way up than the picks; it was turned over.");
-    LoftedFaults lofted = localSurfaces(fault, frame, options.loft);
+    LoftedFaults lofted = faultSurfaces(fault, frame, options.loft);
     warnings.insert(warnings.end(), lofted.warnings.begin(), lofted.warnings.end());
     notes.insert(notes.end(), lofted.notes.begin(), lofted.notes.end());
     for (const FaultSurface& surface : lofted.faults) {

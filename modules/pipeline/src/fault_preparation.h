@@ -20,7 +20,7 @@ struct FaultPreparation {
 /// \param[in] picks in the local frame
 /// \param[out] warnings sentences for the user \param[out] notes what was done to the faults
 /// \param[out] extended of each surface how far it was continued to reach the horizon, 0 where it was not or need not be; in local units
-std::vector<FaultSurface> prepareFaults(const std::vector<FaultGeometry>& faults, const LocalFrame& frame, const NeighborGrid& picks,
+std::vector<FaultSurface> prepareFaults(const std::vector<FaultInput>& faults, const LocalFrame& frame, const NeighborGrid& picks,
                                         const FaultPreparation& options, std::vector<std::string>& warnings,
                                         std::vector<std::string>& notes, std::vector<double>* extended = nullptr);
 

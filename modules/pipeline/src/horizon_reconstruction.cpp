@@ -30,7 +30,7 @@ void checkOptions(const ReconstructionOptions& o) {
 
 HorizonReconstruction::HorizonReconstruction(ReconstructionOptions options) : options_(std::move(options)) {}
 
-ReconstructionResult HorizonReconstruction::reconstruct(Points picks, const std::vector<FaultGeometry>& faults,
+ReconstructionResult HorizonReconstruction::reconstruct(Points picks, const std::vector<FaultInput>& faults,
                                                         const std::vector<DipMeasurement>& dips) const {
   checkOptions(options_);
   ReconstructionResult result;

@@ -22,7 +22,7 @@ public:
   ModelJob(const ModelOptions& options, std::vector<ModelHorizon> horizons)
     : o_(options), horizons_(std::move(horizons)), clock_(result_.stages, o_.reconstruction.progress) {}
 
-  ModelResult run(const std::vector<FaultGeometry>& faults) {
+  ModelResult run(const std::vector<FaultInput>& faults) {
     check(faults);
     clock_.start("faults");
     prepare(faults);
@@ -38,14 +38,14 @@ public:
   }
 
 private:
-  void check(const std::vector<FaultGeometry>& faults) const {
+  void check(const std::vector<FaultInput>& faults) const {
     if (horizons_.empty())
       throw InvalidInputError("model", "there is no horizon");
     std::set<std::string> names;
     for (const ModelHorizon& h : horizons_)
       if (h.name.empty() || !names.insert(h.name).second)
         throw InvalidInputError("model", h.name.empty() ? "a horizon has no name" : "two horizons are called " + h.name + "; give each a name of its own");
-    for (const FaultGeometry& fault : faults)
+    for (const FaultInput& fault : faults)
       if (fault.z_positive != ZPositive::Unknown && (fault.z_positive == ZPositive::Down) != (o_.reconstruction.z_positive == ZPositive::Down))
         throw InvalidInputError("fault " + fault.name, "its z grows the other way than the picks' does; say which way that is with --z-positive");
     for (const double length : {o_.inset, o_.size, o_.min_thickness, o_.fill})
@@ -53,7 +53,7 @@ private:
         throw InvalidInputError("model", "inset, size, least thickness and fill must not be negative");
   }
 
-  void prepare(const std::vector<FaultGeometry>& faults) {
+  void prepare(const std::vector<FaultInput>& faults) {
     Points all;
     for (const ModelHorizon& h : horizons_)
       all.insert(all.end(), h.picks.begin(), h.picks.end());
@@ -218,7 +218,7 @@ private:
 
 ModelReconstruction::ModelReconstruction(ModelOptions options) : options_(std::move(options)) {}
 
-ModelResult ModelReconstruction::reconstruct(std::vector<ModelHorizon> horizons, const std::vector<FaultGeometry>& faults) const {
+ModelResult ModelReconstruction::reconstruct(std::vector<ModelHorizon> horizons, const std::vector<FaultInput>& faults) const {
   return ModelJob(options_, std::move(horizons)).run(faults);
 }
 

@@ -85,7 +85,7 @@ void summarizeInto(ProfileRow& row, std::vector<double> throws, std::size_t coun
 
 } // namespace
 
-void realizeThrows(ReconstructionResult& result, const std::vector<FaultGeometry>& faults, const std::vector<DipMeasurement>& dips,
+void realizeThrows(ReconstructionResult& result, const std::vector<FaultInput>& faults, const std::vector<DipMeasurement>& dips,
                    const RealizationOptions& options) {
   const std::size_t count = options.count;
   if (count < kFewest || result.picks.empty())

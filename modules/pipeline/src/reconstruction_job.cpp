@@ -57,7 +57,7 @@ constexpr double kSurfaceGrowth = 1.1;     // memory that the surface takes at m
 ReconstructionJob::ReconstructionJob(const ReconstructionOptions& options, ReconstructionResult& result, const PreparedFaults* prepared)
   : options_(options), result_(result), prepared_(prepared), clock_(result.report.stages, options.progress) {}
 
-void ReconstructionJob::run(Points picks, const std::vector<FaultGeometry>& faults, const std::vector<DipMeasurement>& dips) {
+void ReconstructionJob::run(Points picks, const std::vector<FaultInput>& faults, const std::vector<DipMeasurement>& dips) {
   checkMemory(picks, dips.size());
   begin("neighbours");
   toLocalFrame(std::move(picks), dips);
@@ -158,7 +158,7 @@ void ReconstructionJob::prepareParameters() {
   checkVoxelSize(grid_, {used.voxel_size, latticeOrigin()}, rhoPlusDelta(), surface_memory_, options_.threads);
 }
 
-void ReconstructionJob::buildFaults(const std::vector<FaultGeometry>& faults) {
+void ReconstructionJob::buildFaults(const std::vector<FaultInput>& faults) {
   const double reach = result_.report.used.fault_reach;
   const double extension = options_.extend_faults.value_or(reach);
   const double along_strike = extension > 0.0 ? std::max(extension, farthestBeyondPicks(picks_.points, outline_)) : 0.0;

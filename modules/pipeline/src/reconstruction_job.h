@@ -31,7 +31,7 @@ public:
   ReconstructionJob(const ReconstructionOptions& options, ReconstructionResult& result, const PreparedFaults* prepared = nullptr);
 
   /// Once only. \throw see HorizonReconstruction::reconstruct
-  void run(Points picks, const std::vector<FaultGeometry>& faults, const std::vector<DipMeasurement>& dips);
+  void run(Points picks, const std::vector<FaultInput>& faults, const std::vector<DipMeasurement>& dips);
 
 private:
   void begin(const std::string& stage);
@@ -42,7 +42,7 @@ private:
   double usualReach() const;
   void prepareParameters();
   void checkMemory(const Points& picks, std::size_t dips);
-  void buildFaults(const std::vector<FaultGeometry>& faults);
+  void buildFaults(const std::vector<FaultInput>& faults);
   void estimateNormals();
   void orient();
   void finish();

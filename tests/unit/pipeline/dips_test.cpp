@@ -57,7 +57,7 @@ double rms(const TriangleMesh& mesh, double z_factor = 1.0) {
 TEST(Dips, MakeTheShapeBetweenThePicks) {
   const Waves w = waves();
   const ReconstructionResult without = HorizonReconstruction(options()).reconstruct(w.picks);
-  const ReconstructionResult with = HorizonReconstruction(options()).reconstruct(w.picks, std::vector<FaultGeometry>(), w.dips);
+  const ReconstructionResult with = HorizonReconstruction(options()).reconstruct(w.picks, std::vector<FaultInput>(), w.dips);
   EXPECT_NEAR(rms(without.mesh), kHeight / std::sqrt(2.0), 0.1) << "flat";
   EXPECT_LT(rms(with.mesh), 0.3 * rms(without.mesh)) << "of waves with one measurement for each half wave";
   EXPECT_EQ(with.report.measurements, w.dips.size());
@@ -69,7 +69,7 @@ TEST(Dips, MakeTheShapeBetweenThePicks) {
 /// z positive down and in other units than x and y: places turn with the picks, angles are of the ground.
 TEST(Dips, MeanTheSameInDepthAndInTime) {
   Waves w = waves();
-  const ReconstructionResult up = HorizonReconstruction(options()).reconstruct(w.picks, std::vector<FaultGeometry>(), w.dips);
+  const ReconstructionResult up = HorizonReconstruction(options()).reconstruct(w.picks, std::vector<FaultInput>(), w.dips);
   ReconstructionOptions o = options();
   o.z_positive = ZPositive::Down;
   o.z_scale = 2.0;
@@ -77,18 +77,18 @@ TEST(Dips, MeanTheSameInDepthAndInTime) {
     p.z() /= -2.0;
   for (DipMeasurement& dip : w.dips)
     dip.place.z() /= -2.0;
-  const ReconstructionResult down = HorizonReconstruction(o).reconstruct(w.picks, std::vector<FaultGeometry>(), w.dips);
+  const ReconstructionResult down = HorizonReconstruction(o).reconstruct(w.picks, std::vector<FaultInput>(), w.dips);
   EXPECT_NEAR(rms(down.mesh, -2.0), rms(up.mesh), 0.05);
 }
 
 TEST(Dips, ThatCannotFitAreLeftOutWithAWarning) {
   Waves w = waves();
-  const TriangleMesh expected = HorizonReconstruction(options()).reconstruct(w.picks, std::vector<FaultGeometry>(), w.dips).mesh;
+  const TriangleMesh expected = HorizonReconstruction(options()).reconstruct(w.picks, std::vector<FaultInput>(), w.dips).mesh;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   w.dips.push_back({Vector3(nan, 0, 0), Vector3::UnitZ()});
   w.dips.push_back({Vector3(500, 500, 0), Vector3(nan, 0, 1)});
   w.dips.push_back({Vector3(500, 500, 1000), Vector3::UnitZ()});
-  const ReconstructionResult result = HorizonReconstruction(options()).reconstruct(w.picks, std::vector<FaultGeometry>(), w.dips);
+  const ReconstructionResult result = HorizonReconstruction(options()).reconstruct(w.picks, std::vector<FaultInput>(), w.dips);
   EXPECT_EQ(result.report.measurements_not_usable, 3U);
   ASSERT_EQ(result.report.warnings.size(), 2U) << testing::PrintToString(result.report.warnings);
   EXPECT_THAT(result.report.warnings[0], HasSubstr("2 of 328 dip measurements lie far from all picks or are not finite"));

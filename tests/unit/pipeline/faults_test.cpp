@@ -31,7 +31,7 @@ struct StepModel {
     return picks;
   }
 
-  static FaultGeometry fault(double top, double bottom) {
+  static FaultInput fault(double top, double bottom) {
     std::vector<FaultStick> sticks;
     for (double y = -1200.0; y <= 1200.0; y += 300.0) {
       sticks.emplace_back();
@@ -82,7 +82,7 @@ TEST(Faults, OneThatStopsShortOfAStepIsExtendedAndThatIsSaid) {
 TEST(Faults, TheirOrderChangesNothing) {
   for (const SyntheticKind kind : {SyntheticKind::Branch, SyntheticKind::Cross}) {
     const SyntheticModel model = test::smallModel(kind);
-    std::vector<FaultGeometry> faults = test::faultsOf(model);
+    std::vector<FaultInput> faults = test::faultsOf(model);
     const ReconstructionResult one = HorizonReconstruction(small()).reconstruct(model.picks().points, faults);
     std::reverse(faults.begin(), faults.end());
     const ReconstructionResult other = HorizonReconstruction(small()).reconstruct(model.picks().points, faults);

@@ -45,7 +45,7 @@ TEST(SkippedSteps, EachStepChangesTheSurface) {
   o.smear = 150.0;
   const SyntheticModel model(o);
   const Points picks = model.picks().points;
-  const std::vector<FaultGeometry> faults = test::faultsOf(model);
+  const std::vector<FaultInput> faults = test::faultsOf(model);
   std::set<std::vector<double>> different;
   for (std::size_t step = 0; step <= skippableSteps().size(); ++step) {
     ReconstructionOptions options;

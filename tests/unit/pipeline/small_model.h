@@ -12,8 +12,8 @@ inline SyntheticModel smallModel(SyntheticKind kind, std::size_t picks = 3000) {
   return SyntheticModel(o);
 }
 
-inline std::vector<FaultGeometry> faultsOf(const SyntheticModel& model) {
-  std::vector<FaultGeometry> faults;
+inline std::vector<FaultInput> faultsOf(const SyntheticModel& model) {
+  std::vector<FaultInput> faults;
   for (std::size_t f = 0; f < model.faultCount(); ++f)
     faults.push_back({"fault " + std::to_string(f + 1), model.faultMesh(f), ZPositive::Unknown});
   return faults;

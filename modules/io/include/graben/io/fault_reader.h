@@ -1,23 +1,11 @@
 #pragma once
 
-#include "graben/faults/fault_surface.h"
-#include "graben/mesh/triangle_mesh.h"
+#include "graben/faults/fault_input.h"
 
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace graben {
-
-/// One fault as its file has it, in the user's frame.
-struct FaultInput {
-  std::string name; ///< from the file where it has one, else the file's name without extension
-  std::variant<TriangleMesh, std::vector<FaultStick>> geometry;
-  ZPositive z_positive = ZPositive::Unknown; ///< what the file says
-  std::string source;                        ///< path of the file
-  std::vector<std::string> notes; ///< sentences for the user: what was ignored, dropped or assumed
-  std::vector<std::string> warnings = {}; ///< sentences for the user: what is probably not as it was meant
-};
 
 /// Reads the faults of a file, in file order; at least one.
 ///

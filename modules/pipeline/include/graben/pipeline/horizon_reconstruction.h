@@ -5,7 +5,7 @@
 #include "graben/core/dip.h"
 #include "graben/core/local_frame.h"
 #include "graben/core/progress.h"
-#include "graben/faults/fault_lofting.h"
+#include "graben/faults/fault_input.h"
 #include "graben/faults/fault_network.h"
 #include "graben/features/orientation.h"
 #include "graben/filters/wrong_side_picks.h"
@@ -15,17 +15,9 @@
 
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace graben {
-
-/// A fault as the user gives it, in the user's frame: a mesh, or sticks to be lofted.
-struct FaultGeometry {
-  std::string name;
-  std::variant<TriangleMesh, std::vector<FaultStick>> geometry;
-  ZPositive z_positive = ZPositive::Unknown; ///< Unknown: as the picks'
-};
 
 /// What the surface is to cover.
 enum class HorizonExtent {
@@ -107,7 +99,7 @@ public:
   ///                   wrong side of a fault are set aside as picks are
   /// \throw InvalidInputError if there are fewer than three distinct picks, all are on a line, a fault cannot be used or an option is out of range
   /// \throw ResourceError     if the picks, or the surface at this voxel size, would not fit into the memory limit; says how many, or which size, would
-  ReconstructionResult reconstruct(Points picks, const std::vector<FaultGeometry>& faults = {}, const std::vector<DipMeasurement>& dips = {}) const;
+  ReconstructionResult reconstruct(Points picks, const std::vector<FaultInput>& faults = {}, const std::vector<DipMeasurement>& dips = {}) const;
 
   /// The same with faults that were made ready once for several horizons. z direction and scale are those of their frame.
   ReconstructionResult reconstructWith(const PreparedFaults& faults, Points picks, const std::vector<DipMeasurement>& dips = {}) const;

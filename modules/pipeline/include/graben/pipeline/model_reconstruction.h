@@ -61,7 +61,7 @@ public:
   /// \param[in] faults   in the user's frame; may be empty
   /// \throw InvalidInputError as HorizonReconstruction and buildBlockModel, naming the horizon; if a fault's z grows the other way than the picks'; if the
   ///        outline holds none of the picks or top and base are the wrong way round
-  ModelResult reconstruct(std::vector<ModelHorizon> horizons, const std::vector<FaultGeometry>& faults = {}) const;
+  ModelResult reconstruct(std::vector<ModelHorizon> horizons, const std::vector<FaultInput>& faults = {}) const;
 
   const ModelOptions& options() const { return options_; }
 

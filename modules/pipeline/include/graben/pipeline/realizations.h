@@ -22,7 +22,7 @@ struct RealizationOptions {
 /// \param[in]     faults  as they were given to it
 /// \param[in]     dips    likewise
 /// Cost: that of count jobs, one after another. Deterministic for a seed; thread-safe. \throw InvalidInputError if there are no picks or too few realizations
-void realizeThrows(ReconstructionResult& result, const std::vector<FaultGeometry>& faults, const std::vector<DipMeasurement>& dips,
+void realizeThrows(ReconstructionResult& result, const std::vector<FaultInput>& faults, const std::vector<DipMeasurement>& dips,
                    const RealizationOptions& options);
 
 } // namespace graben
