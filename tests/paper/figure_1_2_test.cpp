@@ -92,7 +92,7 @@ TEST(Figure1And2, NormalsAtAFault) {
 
   const Angles of_plain = anglesOf(survey, plain), of_rule = anglesOf(survey, rule),
                of_constrained = anglesOf(survey, constrained);
-  tell("rho + delta [m]", estimation.getRho() + estimation.getDelta());
+  tell("rho + delta [m]", estimation.getUsedRho() + estimation.getUsedDelta());
   tell("plain k: mean angle near the fault [degrees]", of_plain.near);
   tell("d(q, N) < rho + delta: near", of_rule.near);
   tell("with the fault: near", of_constrained.near);

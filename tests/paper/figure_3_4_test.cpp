@@ -91,7 +91,7 @@ TEST(Figure3And4, TrianglesWronglyExtracted) {
     pcl::PolygonMesh mesh;
     hoppe.reconstruct(mesh);
     EXPECT_EQ(hoppe.getStatus(), SurfaceStatus::Complete) << hoppe.getStatusMessage();
-    return sortOut(fromPolygonMesh(mesh), truth, hoppe.getVoxelSize());
+    return sortOut(fromPolygonMesh(mesh), truth, hoppe.getUsedVoxelSize());
   };
   const Wrong without = run(180.0);
   const Wrong with = run(60.0);

@@ -4,5 +4,5 @@
 #include <pcl/point_types.h>
 
 PCL_INSTANTIATE_PRODUCT(FaultConstrainedNormalEstimation,
-                        ((pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointNormal))(
-                            (pcl::Normal)(pcl::PointNormal)(pcl::PointXYZINormal)))
+                        ((pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZL)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)(pcl::PointNormal)(pcl::PointXYZINormal)(
+                          pcl::PointXYZRGBNormal))((pcl::Normal)(pcl::PointNormal)(pcl::PointXYZINormal)(pcl::PointXYZRGBNormal)))

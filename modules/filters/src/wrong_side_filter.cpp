@@ -3,4 +3,6 @@
 #include <pcl/impl/instantiate.hpp>
 #include <pcl/point_types.h>
 
-PCL_INSTANTIATE(WrongSidePicks, (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointNormal))
+PCL_INSTANTIATE(WrongSidePicks,
+                (pcl::PointXYZ)(pcl::PointXYZI)(pcl::PointXYZL)(pcl::PointXYZRGB)(pcl::PointXYZRGBA)
+                (pcl::PointNormal)(pcl::PointXYZINormal)(pcl::PointXYZRGBNormal))

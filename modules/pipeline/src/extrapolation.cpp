@@ -4,6 +4,7 @@
 
 #include "graben/core/threads.h"
 #include "graben/mesh/normals.h"
+#include "graben/surface/nearest_in_sight.h"
 #include "graben/surface/viewpoints.h"
 
 #include <algorithm>
@@ -13,30 +14,6 @@
 namespace graben {
 
 namespace {
-
-bool hidden(const FaultNetwork& faults, const Vector3& from, const Vector3& pick) {
-  Bounds box;
-  box.extend(from);
-  box.extend(pick);
-  return faults.mayTouch(box) && faults.crosses(from, pick);
-}
-
-Vector3 placeOf(const NeighborGrid& picks, const Neighbor& pick) { return picks.points()[static_cast<std::size_t>(pick.index)]; }
-
-/// The distance of the nearest pick that no fault hides; the nearest of all is known to be hidden.
-double distanceToVisible(const Vector3& vertex, const Vector3& viewpoint, const NeighborGrid& picks, const FaultNetwork& faults) {
-  std::vector<Neighbor> candidates;
-  std::size_t seen = 1;
-  for (std::size_t count = 16; count <= 1024; count *= 4) {
-    picks.nearest(vertex, count, candidates);
-    for (; seen < candidates.size(); ++seen)
-      if (!hidden(faults, viewpoint, placeOf(picks, candidates[seen])))
-        return std::sqrt(candidates[seen].squared_distance);
-    if (candidates.size() < count)
-      break;
-  }
-  return std::sqrt(candidates.back().squared_distance);
-}
 
 /// Distances of a few vertices to the nearest pick, whatever faults stand between.
 class NearestPicks {
@@ -103,10 +80,9 @@ void measure(const TriangleMesh& mesh, const Viewpoints& from, std::size_t begin
     if (!faults.mayTouch(viewOf(mesh, from, first, last, distance + (first - begin))))
       continue;
     for (std::size_t v = first; v < last; ++v) {
-      const Neighbor pick = picks.nearestOne(mesh.vertices[v]);
-      const Vector3 viewpoint = from.of(static_cast<Index>(v));
-      if (pick.index >= 0 && hidden(faults, viewpoint, placeOf(picks, pick)))
-        distance[v - begin] = distanceToVisible(mesh.vertices[v], viewpoint, picks, faults);
+      const Neighbor pick = nearestInSight(mesh.vertices[v], from.of(static_cast<Index>(v)), picks, faults);
+      if (std::isfinite(pick.squared_distance))
+        distance[v - begin] = std::sqrt(pick.squared_distance);
     }
   }
 }

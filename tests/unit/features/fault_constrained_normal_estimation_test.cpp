@@ -66,7 +66,7 @@ TEST_F(NormalEstimationTest, WorksThroughTheBaseClassWithoutAnyParameter) {
   EXPECT_EQ(normals.header.frame_id, "survey");
   EXPECT_TRUE(normals.is_dense);
   EXPECT_EQ(own->getStatus(), NormalEstimationStatus::Complete);
-  EXPECT_GT(own->getRho(), 10.0);
+  EXPECT_GT(own->getUsedRho(), 10.0);
   for (std::size_t i = 0; i < normals.size(); ++i) {
     ASSERT_LT(test::lineAngle(normalOf(normals[i]), fold.normalAt(i)), 0.01);
     ASSERT_GT(normals[i].normal_z, 0.0F);

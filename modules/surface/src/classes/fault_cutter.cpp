@@ -4,10 +4,12 @@
 
 namespace graben {
 
-CutMesh FaultCutter::processMesh(TriangleMesh mesh) {
+CutMesh FaultCutter::processMesh(TriangleMesh mesh, double tolerance) {
   FaultCutOptions options;
-  options.tolerance = tolerance();
+  options.tolerance = tolerance;
   options.threads = threads();
+  if (faults().empty())
+    warn("There are no faults, so nothing was cut.");
   return cutAlongFaults(mesh, faults(), options);
 }
 

@@ -2,12 +2,17 @@
 
 #include "carried_mesh.h"
 
+#include "cut/median_edge.h"
+
 #include "graben/core/errors.h"
+#include "graben/faults/out_of_reach.h"
 #include "graben/mesh/normals.h"
 
 #include <pcl/console/print.h>
 
+#include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace graben {
 
@@ -26,37 +31,57 @@ void FaultMeshProcessing::fail(const std::string& message, pcl::PolygonMesh& out
   PCL_ERROR("[graben::%s::process] %s\n", getClassName().c_str(), message.c_str());
 }
 
+void FaultMeshProcessing::warn(const std::string& message) {
+  if (message.empty())
+    return;
+  message_ += (message_.empty() ? "" : " ") + message;
+  PCL_WARN("[graben::%s::process] %s\n", getClassName().c_str(), message.c_str());
+}
+
 void FaultMeshProcessing::process(pcl::PolygonMesh& output) {
+  status_ = SurfaceStatus::NotRun;
+  message_.clear();
+  vertex_faults_.clear();
+  used_tolerance_ = 0.0;
   pcl::PolygonMesh result;
-  if (input_mesh_)
+  try {
+    if (!input_mesh_)
+      throw InvalidInputError("reading a mesh", "The input mesh is missing.");
     pcl::MeshProcessing::process(result);
-  else
-    fail("The input mesh is missing.", result);
+  } catch (const std::bad_alloc&) {
+    fail("There is not enough memory.", result);
+  } catch (const std::exception& error) {
+    fail(error.what(), result);
+  }
   output = std::move(result);
 }
 
 void FaultMeshProcessing::performProcessing(pcl::PolygonMesh& output) {
-  status_ = SurfaceStatus::NotRun;
-  message_.clear();
-  vertex_faults_.clear();
   try {
-    if (!std::isfinite(tolerance_) || tolerance_ < 0.0)
-      throw InvalidInputError(
-          "options", "The tolerance must be positive, or 0 to take a share of the median edge.");
-    CarriedMesh carried(*input_mesh_);
-    TriangleMesh mesh = carried.takeMesh();
-    if (mesh.empty())
-      throw InvalidInputError("reading a mesh", "The input mesh has no triangle.");
-    CutMesh result = processMesh(std::move(mesh));
-    computeVertexNormals(result.mesh, threads_);
-    carried.write(result.mesh, output);
-    vertex_faults_ = std::move(result.vertex_faults);
+    run(output);
     status_ = SurfaceStatus::Complete;
   } catch (const std::bad_alloc&) {
     fail("There is not enough memory.", output);
   } catch (const std::exception& error) {
     fail(error.what(), output);
   }
+}
+
+void FaultMeshProcessing::run(pcl::PolygonMesh& output) {
+  constexpr double kShareOfEdge = 0.02;
+  if (!std::isfinite(tolerance_) || tolerance_ < 0.0)
+    throw InvalidInputError("options", "The tolerance must be positive, or 0 to take a share of the median edge.");
+  CarriedMesh carried(*input_mesh_);
+  TriangleMesh mesh = carried.takeMesh();
+  if (mesh.empty())
+    throw InvalidInputError("reading a mesh", "The input mesh has no triangle.");
+  used_tolerance_ = tolerance_ > 0.0 ? tolerance_ : kShareOfEdge * medianEdge(mesh);
+  CutMesh result = processMesh(std::move(mesh), used_tolerance_);
+  if (std::none_of(result.vertex_faults.begin(), result.vertex_faults.end(), [](const std::array<Index, 2>& f) { return f[0] >= 0; }))
+    warn(faultsWithoutEffect(faults(), boundsOf(result.mesh.vertices), "mesh"));
+  computeVertexNormals(result.mesh, threads_);
+  carried.write(result.mesh, output);
+  vertex_faults_ = std::move(result.vertex_faults);
 }
 
 } // namespace graben

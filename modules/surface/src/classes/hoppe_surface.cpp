@@ -2,6 +2,8 @@
 
 #include "graben/core/errors.h"
 #include "graben/core/memory.h"
+#include "graben/core/threads.h"
+#include "graben/faults/out_of_reach.h"
 #include "graben/features/mean_distance.h"
 #include "graben/features/sampling.h"
 #include "graben/filters/wrong_side_picks.h"
@@ -10,10 +12,13 @@
 #include "graben/surface/crumbs.h"
 #include "graben/surface/data_border.h"
 #include "graben/surface/fault_cut.h"
+#include "graben/surface/nearest_in_sight.h"
 #include "graben/surface/sheet_extraction.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace graben {
 
@@ -34,6 +39,7 @@ void checkOptions(const HoppeSurfaceOptions& o) {
   check(o.flip_angle >= 0.0 && o.flip_angle <= 180.0, "The flip angle must be 0 to 180 degrees.");
   check(std::isfinite(o.box_extension) && o.box_extension > -1.0,
         "The extension of the grid must be more than -1, which would leave no box at all.");
+  check(o.blend >= 1, "A value of the field must be averaged over 1 plane or more.");
   check(o.snap >= 0.0 && o.snap <= 0.4, "The snap fraction must be 0 to 0.4.");
   for (const int cells : o.resolution)
     check(cells >= 0, "The grid resolution must be positive.");
@@ -102,7 +108,7 @@ SignedDistanceOptions fieldOptions(const NeighborGrid& grid, double boundary, do
     o.fault_reach = std::max(6.0 * meanPickDistance(grid, options.threads), 2.0 * boundary);
   // Values are asked for within a cell's diagonal of the surface, which lies the iso level away.
   o.voxel_size = h + std::abs(options.iso_level) / std::sqrt(3.0);
-  o.blend = std::max<std::size_t>(1, options.blend);
+  o.blend = options.blend;
   return o;
 }
 
@@ -128,6 +134,43 @@ void setWrongSideAside(const NeighborGrid& grid, const FaultNetwork& faults, uns
   for (std::size_t i = 0; i < planes.normals.size(); ++i)
     if (found.reasons[i] != PickReason::Good)
       planes.normals[i].setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// Normals that were turned towards a viewpoint change their side where the surface runs through it, or from pick to pick: in both cases neighbours
+/// oppose each other, which on an oriented surface none does.
+void warnOfFlippedNormals(const NeighborGrid& grid, const Points& normals, unsigned threads, std::vector<std::string>& warnings) {
+  constexpr double kOpposed = -0.5;       // 120 degrees
+  constexpr double kFewest = 3.0;         // by chance, in noise
+  constexpr double kShareOfEdge = 0.1;    // of the points in a row across the cloud
+  constexpr std::size_t kGrain = 1 << 12;
+  std::vector<std::size_t> blocks((normals.size() + kGrain - 1) / kGrain);
+  parallelBlocks(normals.size(), kGrain, threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbor> near;
+    for (std::size_t i = begin; i < end; ++i) {
+      grid.nearest(grid.points()[i], 2, near);
+      const bool opposed = std::any_of(near.begin(), near.end(), [&](const Neighbor& n) {
+        return normals[i].dot(normals[static_cast<std::size_t>(n.index)]) < kOpposed;
+      });
+      blocks[begin / kGrain] += opposed ? 1 : 0;
+    }
+  });
+  const std::size_t opposed = std::accumulate(blocks.begin(), blocks.end(), std::size_t{0});
+  if (static_cast<double>(opposed) > std::max(kFewest, kShareOfEdge * std::sqrt(static_cast<double>(normals.size()))))
+    warnings.push_back("The normals of " + std::to_string(opposed) + " points oppose that of the point next to them, so triangles face both ways: they were "
+                       "turned towards a viewpoint, as pcl::NormalEstimation does. FaultConstrainedNormalEstimation turns them along the surface.");
+}
+
+/// What vertices take their fields from: the points that have a plane.
+std::vector<Index> donors(const CutMesh& cut, const Points& points, const TangentPlanes& planes, const FaultNetwork& faults, unsigned threads) {
+  Points good = points;
+  for (std::size_t i = 0; i < good.size(); ++i)
+    if (!planes.normals[i].allFinite())
+      good[i] = planes.normals[i];
+  return picksOfVertices(cut, VertexCorners(cut.mesh), NeighborGrid(good, 0.0, threads), faults, threads);
+}
+
+bool touchesFault(const CutMesh& cut) {
+  return std::any_of(cut.vertex_faults.begin(), cut.vertex_faults.end(), [](const std::array<Index, 2>& f) { return f[0] >= 0; });
 }
 
 } // namespace
@@ -171,6 +214,12 @@ HoppeSurface hoppeSurface(const Points& points, const Points& normals, const Fau
         "No surface was found: the points are too sparse for the voxel size, "
         "or rho, delta or the distance to ignore are too small.");
   computeVertexNormals(result.cut.mesh, options.threads);
+  warnOfFlippedNormals(grid, normals, options.threads, result.warnings);
+  if (!touchesFault(result.cut))
+    if (std::string odd = faultsWithoutEffect(faults, boundsOf(result.cut.mesh.vertices), "surface"); !odd.empty())
+      result.warnings.push_back(std::move(odd));
+  if (options.find_picks)
+    result.picks = donors(result.cut, points, planes, faults, options.threads);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "graben/surface/fault_cut.h"
 
 #include "cut_state.h"
+#include "median_edge.h"
 
 #include "graben/core/threads.h"
 #include "graben/faults/triangles_near.h"
@@ -11,22 +12,8 @@ namespace graben {
 
 namespace {
 
-double medianEdge(const TriangleMesh& mesh) {
-  std::vector<double> lengths;
-  const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / 10000);
-  for (std::size_t t = 0; t < mesh.triangles.size(); t += step) {
-    const Triangle& triangle = mesh.triangles[t];
-    lengths.push_back((mesh.vertices[static_cast<std::size_t>(triangle[0])] -
-                       mesh.vertices[static_cast<std::size_t>(triangle[1])]).norm());
-  }
-  if (lengths.empty())
-    return 1.0;
-  std::nth_element(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2), lengths.end());
-  return lengths[lengths.size() / 2];
-}
-
 double toleranceOf(const TriangleMesh& mesh, const FaultCutOptions& options) {
-  return options.tolerance > 0.0 ? options.tolerance : 0.02 * medianEdge(mesh);
+  return options.tolerance > 0.0 ? options.tolerance : mesh.empty() ? 1.0 : 0.02 * medianEdge(mesh);
 }
 
 /// The corner of a triangle to ask on which side it lies: the first off all faults, or else the centroid.

@@ -84,7 +84,7 @@ TEST_F(HoppeMarchingCubesTest, FlatCloudsAndTheirBordersAreNotLost) {
     const Bounds box = boundsOf(mesh);
     EXPECT_NEAR(box.low.z(), z, 1e-6);
     EXPECT_NEAR(box.high.z(), z, 1e-6);
-    const double h = hoppe_.getVoxelSize();
+    const double h = hoppe_.getUsedVoxelSize();
     for (int axis = 0; axis < 2; ++axis) {
       EXPECT_NEAR(box.low[axis], -10.0, 0.3 + h);
       EXPECT_NEAR(box.high[axis], 10.0, 0.3 + h);
@@ -114,24 +114,24 @@ TEST_F(HoppeMarchingCubesTest, ByDefaultItEndsNearTheOutermostPointsAndHasNoSliv
 
 TEST_F(HoppeMarchingCubesTest, VoxelSizeComesFromTheSetterTheResolutionOrTheData) {
   run(plane());
-  EXPECT_NEAR(hoppe_.getVoxelSize(), 1.0, 0.2);
+  EXPECT_NEAR(hoppe_.getUsedVoxelSize(), 1.0, 0.2);
   int x = -1, y = -1, z = -1;
   hoppe_.getGridResolution(x, y, z);
   EXPECT_EQ(x + y + z, 0);
   hoppe_.setGridResolution(40, 80, 32);
   hoppe_.setPercentageExtendGrid(0.5F);
   run(plane());
-  EXPECT_NEAR(hoppe_.getVoxelSize(), 1.5 * 20.6 / 40.0, 0.03)
+  EXPECT_NEAR(hoppe_.getUsedVoxelSize(), 1.5 * 20.6 / 40.0, 0.03)
       << "the largest extent over its resolution";
   hoppe_.setVoxelSize(0.75);
   run(plane());
-  EXPECT_EQ(hoppe_.getVoxelSize(), 0.75);
+  EXPECT_EQ(hoppe_.getUsedVoxelSize(), 0.75);
 }
 
 TEST_F(HoppeMarchingCubesTest, NegativeExtensionLimitsTheBox) {
   hoppe_.setPercentageExtendGrid(-0.5F);
   const Bounds box = boundsOf(run(plane()));
-  EXPECT_NEAR(box.high.x(), 5.0, 0.3 + hoppe_.getVoxelSize());
+  EXPECT_NEAR(box.high.x(), 5.0, 0.3 + hoppe_.getUsedVoxelSize());
   hoppe_.setPercentageExtendGrid(-1.0F);
   EXPECT_TRUE(run(plane()).empty());
   EXPECT_EQ(hoppe_.getStatus(), SurfaceStatus::Failed);
@@ -274,7 +274,7 @@ TEST_F(HoppeMarchingCubesTest, EachSideOfAFaultHasItsOwnSheet) {
   ASSERT_EQ(hoppe_.getVertexFaults().size(), mesh.vertices.size());
   std::size_t on_fault = 0;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    EXPECT_NEAR(std::abs(mesh.vertices[v].z()), 2.0, 0.011 * hoppe_.getVoxelSize()) << "moved onto the fault from a fiftieth of a voxel at most";
+    EXPECT_NEAR(std::abs(mesh.vertices[v].z()), 2.0, 0.011 * hoppe_.getUsedVoxelSize()) << "moved onto the fault from a fiftieth of a voxel at most";
     if (hoppe_.getVertexFaults()[v][0] != 0)
       continue;
     ++on_fault;

@@ -61,7 +61,7 @@ TEST_F(QEMFaultFitterTest, MovesBothSidesToTheirPicksAndKeepsTheSeal) {
   std::size_t on_fault = 0;
   for (std::size_t v = 0; v < after.vertices.size(); ++v) {
     const double off = std::abs(std::abs(after.vertices[v].z()) - 1.0);
-    if (faults_->nearest(before.vertices[v]).distance > fitter_.getZoneWidth() + 1e-6) {
+    if (faults_->nearest(before.vertices[v]).distance > fitter_.getUsedZoneWidth() + 1e-6) {
       EXPECT_EQ(after.vertices[v], before.vertices[v]) << "outside the zone nothing moves";
       continue;
     }
@@ -85,7 +85,7 @@ TEST_F(QEMFaultFitterTest, ModesAndZoneWidth) {
   fitter_.setZoneWidth(1.0);
   run();
   EXPECT_LT(fitter_.getResult().fitted, in_zone);
-  EXPECT_EQ(fitter_.getZoneWidth(), 1.0);
+  EXPECT_EQ(fitter_.getUsedZoneWidth(), 1.0);
   fitter_.setZoneWidth(std::numeric_limits<double>::infinity());
   run();
   EXPECT_EQ(fitter_.getResult().fitted + fitter_.getResult().without_picks, before.vertices.size());

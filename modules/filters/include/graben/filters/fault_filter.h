@@ -12,7 +12,7 @@ namespace graben {
 /// How the last filter() of a filter went: an empty output alone does not say.
 enum class FilterStatus {
   NotRun,
-  Complete, ///< the output is the result
+  Complete, ///< the output is the result; a message says what is odd about the input, such as faults that are near no point
   Failed    ///< the input or an option cannot be used, see the message; every point is removed
 };
 
@@ -24,7 +24,11 @@ enum class FilterStatus {
  * setUserFilterValue instead, getRemovedIndices is filled if asked for in the constructor. The
  * result is the same for any number of threads. An object serves one thread at a time. Faults and
  * lengths are in the frame and units of the cloud (local: float32 steps are 0.5 m at UTM
- * northings).
+ * northings). Nothing is thrown, not even for want of memory; messages go to PCL_ERROR and PCL_WARN.
+ *
+ * All filters are compiled for PointXYZ, PointXYZI, PointXYZL, PointXYZRGB, PointXYZRGBA, PointNormal,
+ * PointXYZINormal and PointXYZRGBNormal. For points of your own define PCL_NO_PRECOMPILE before the
+ * includes and link graben::filters.
  */
 template <typename PointT>
 class FaultFilter : public pcl::FilterIndices<PointT> {
@@ -40,9 +44,14 @@ public:
 
   /// \param[in] nr_threads 0: one per processor
   void setNumberOfThreads(unsigned int nr_threads = 0) { threads_ = nr_threads; }
+  unsigned int getNumberOfThreads() const { return threads_; }
+
+  /// Hide the base class's filter(), which is not virtual: these let no exception out.
+  void filter(PointCloud& output);
+  void filter(pcl::Indices& indices);
 
   FilterStatus getStatus() const { return status_; }
-  /// What went wrong; empty if nothing did.
+  /// What went wrong or, where the filter is Complete, looks wrong; empty if nothing does.
   const std::string& getStatusMessage() const { return message_; }
 
 protected:
@@ -57,15 +66,22 @@ protected:
 
   /// \param[in] points all points of the input, in double
   /// \return for each whether it is kept (when not negative)
-  /// \throw Error if that cannot be told
+  /// May throw where that cannot be told, and warn().
   virtual std::vector<bool> choose(const Points& points, const FaultNetwork& faults) = 0;
 
   /// Forgets what the last filter() found.
   virtual void clearResult() = 0;
 
+  /// Says what looks wrong, beside a result.
+  void warn(const std::string& message);
+
   unsigned threads_ = 0;
 
 private:
+  void fail(const std::string& message);
+  template <typename Output>
+  void filterOrFail(Output& output);
+  void select(const Points& points, const std::vector<bool>& chosen, pcl::Indices& indices);
   std::vector<bool> chooseOrFail(const Points& points);
 
   std::shared_ptr<const FaultNetwork> faults_;

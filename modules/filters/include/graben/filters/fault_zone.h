@@ -5,9 +5,7 @@
 namespace graben {
 
 /** \brief Keeps the points near faults (the paper's discontinuous area); negative: those away from
- * them. Without faults none is near.
- *
- * Compiled for PointXYZ, PointXYZI and PointNormal; include impl/ for others.
+ * them. Without faults, or with faults of another frame, none is near, which a message says.
  */
 template <typename PointT>
 class FaultZone : public FaultFilter<PointT> {

@@ -8,8 +8,7 @@ namespace graben {
 /** \brief Removes picks on the wrong side of a fault or smeared along it, see findWrongSidePicks();
  * negative: keeps only them.
  *
- * All points of the input cloud are evidence, the indices choose among them. Compiled for PointXYZ,
- * PointXYZI and PointNormal; include impl/ for others.
+ * All points of the input cloud are evidence, the indices choose among them.
  */
 template <typename PointT>
 class WrongSidePicks : public FaultFilter<PointT> {
@@ -22,14 +21,18 @@ public:
 
   /// Picks farther than this from every fault are trusted; 0: four mean distances.
   void setBand(double band) { options_.band = band; }
+  double getBand() const { return options_.band; }
   /// Noise of a pick about its neighbours; 0: measured.
   void setSigma(double sigma) { options_.sigma = sigma; }
+  double getSigma() const { return options_.sigma; }
   /// A pick within this of its own sheet is good; 0: a tenth of the mean distance.
   void setTolerance(double tolerance) { options_.tolerance = tolerance; }
+  double getTolerance() const { return options_.tolerance; }
   /// From pick to pick; 0: measured.
   void setMeanDistance(double distance) { options_.mean_distance = distance; }
-  /// The options as set, with zeros.
-  const WrongSideOptions& getOptions() const { return options_; }
+  double getMeanDistance() const { return options_.mean_distance; }
+  /// All four as the last filter() used them, with the estimates filled in.
+  const WrongSideOptions& getUsedOptions() const { return result_.used; }
 
   /// Reason of each point of the input cloud, from the last filter(); empty after a failure.
   const std::vector<PickReason>& getReasons() const { return result_.reasons; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/surface/fault_cut.h"
 #include "graben/surface/fault_mesh_processing.h"
 
 namespace graben {
@@ -11,7 +12,7 @@ namespace graben {
  * sides are separate; a cut ends inside the mesh where the fault does. Vertices within the
  * tolerance of a fault are moved onto it. A new vertex takes the floating-point fields of its
  * edge's ends by interpolation, colours by channel, and all others from the first end. Without
- * faults the mesh comes back with normals. O(n log n). Input, output, errors and threads: see
+ * faults the mesh comes back with normals, which a message says. O(n log n). Input, output, errors and threads: see
  * FaultMeshProcessing.
  */
 class FaultCutter : public FaultMeshProcessing {
@@ -21,7 +22,7 @@ public:
 
 protected:
   std::string getClassName() const override { return "FaultCutter"; }
-  CutMesh processMesh(TriangleMesh mesh) override;
+  CutMesh processMesh(TriangleMesh mesh, double tolerance) override;
 };
 
 } // namespace graben

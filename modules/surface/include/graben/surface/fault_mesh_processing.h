@@ -23,8 +23,10 @@ namespace graben {
  * which should be local: float32 steps are 0.5 m at UTM northings. The input mesh is not changed.
  *
  * Where the input or an option cannot be used the output is empty (but for the header), getStatus()
- * says Failed, getStatusMessage() why, and the message goes to PCL_ERROR; nothing is thrown. The
- * same bytes for any number of threads. An object serves one thread at a time.
+ * says Failed, getStatusMessage() why, and the message goes to PCL_ERROR; what only looks wrong
+ * (faults that touch nothing, a mesh that is not cut) leaves the status Complete with a message that goes
+ * to PCL_WARN. Nothing is thrown, not even for want of memory. The same bytes for any number of threads.
+ * An object serves one thread at a time.
  */
 class FaultMeshProcessing : public pcl::MeshProcessing {
 public:
@@ -36,16 +38,19 @@ public:
   /// edge.
   void setTolerance(double tolerance) { tolerance_ = tolerance; }
   double getTolerance() const { return tolerance_; }
+  /// The tolerance used by the last run.
+  double getUsedTolerance() const { return used_tolerance_; }
 
   /// 0: one per processor.
   void setNumberOfThreads(unsigned nr_threads = 0) { threads_ = nr_threads; }
+  unsigned getNumberOfThreads() const { return threads_; }
 
   /// Hides the base class's process(), which is not virtual: this one also takes a missing input
   /// (the status is then Failed) and an output that is the input mesh itself.
   void process(pcl::PolygonMesh& output);
 
   SurfaceStatus getStatus() const { return status_; }
-  /// What went wrong; empty if nothing did.
+  /// What went wrong or, where the run is Complete, looks wrong; empty if nothing does.
   const std::string& getStatusMessage() const { return message_; }
   /// For each vertex of the last output the faults it lies on: none {-1, -1}, one {f, -1}, or two.
   const std::vector<std::array<Index, 2>>& getVertexFaults() const { return vertex_faults_; }
@@ -55,17 +60,22 @@ protected:
 
   /// The work itself. \a mesh has at least one triangle; its piece labels and scalars must be
   /// carried along, and its vertices must stay the first of the result. May throw.
-  virtual CutMesh processMesh(TriangleMesh mesh) = 0;
+  /// \param[in] tolerance distance to a fault under which a vertex is on it
+  virtual CutMesh processMesh(TriangleMesh mesh, double tolerance) = 0;
 
   const FaultNetwork& faults() const;
-  double tolerance() const { return tolerance_; }
+  /// Says what looks wrong, beside a result; nothing where \a message is empty.
+  void warn(const std::string& message);
+
   unsigned threads() const { return threads_; }
 
 private:
   void fail(const std::string& message, pcl::PolygonMesh& output);
+  void run(pcl::PolygonMesh& output);
 
   std::shared_ptr<const FaultNetwork> faults_;
   double tolerance_ = 0.0;
+  double used_tolerance_ = 0.0;
   unsigned threads_ = 0;
   SurfaceStatus status_ = SurfaceStatus::NotRun;
   std::string message_;

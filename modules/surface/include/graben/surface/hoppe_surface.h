@@ -5,6 +5,8 @@
 #include "graben/surface/defaults.h"
 
 #include <array>
+#include <string>
+#include <vector>
 
 namespace graben {
 
@@ -26,12 +28,13 @@ struct HoppeSurfaceOptions {
   double flip_angle = 60.0; ///< degrees, 0 to 180; 180: off
   double fault_reach = 0.0; ///< farthest the surface is carried on to a fault; 0: 6 distances
   ///< between points, but at least 2 (rho + delta)
-  std::size_t blend = surface_defaults::kBlend; ///< planes a value is averaged over; 1: Hoppe's nearest plane alone
+  std::size_t blend = surface_defaults::kBlend; ///< planes a value is averaged over, 1 or more; 1: Hoppe's nearest plane alone
   double snap = surface_defaults::kSnap;        ///< see ExtractionOptions::snap, 0 to 0.4
   std::size_t smallest_piece =
       surface_defaults::kCrumb; ///< components with fewer triangles are left out, unless that leaves none
   unsigned threads = 0; ///< 0: one per processor
   std::size_t memory_limit = 0; ///< bytes the extraction may take; 0: three quarters of the memory
+  bool find_picks = false; ///< HoppeSurface::picks is wanted
 };
 
 /// A surface and what it was made with.
@@ -42,6 +45,8 @@ struct HoppeSurface {
   double delta = 0.0; ///< as given if it was not needed
   std::size_t cells = 0;
   std::size_t rejected_by_flip_angle = 0;
+  std::vector<Index> picks; ///< for each vertex the nearest point of its own side that was not set aside, -1 where there is none; empty unless asked for
+  std::vector<std::string> warnings; ///< sentences for the user on what looks wrong in the input
 };
 
 /// Hoppe's surface of points with oriented normals: each point is the centre of its tangent plane.

@@ -1,10 +1,13 @@
 #pragma once
 
-#include "graben/core/errors.h"
+#include "graben/faults/out_of_reach.h"
 #include "graben/features/fault_constrained_normal_estimation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <exception>
 #include <limits>
+#include <new>
 
 namespace graben {
 namespace detail {
@@ -56,7 +59,25 @@ bool FaultConstrainedNormalEstimation<PointInT, PointOutT>::fail(const std::stri
 }
 
 template <typename PointInT, typename PointOutT>
+void FaultConstrainedNormalEstimation<PointInT, PointOutT>::warn(const std::string& message) {
+  message_ += (message_.empty() ? "" : " ") + message;
+  PCL_WARN("[graben::%s::compute] %s\n", getClassName().c_str(), message.c_str());
+}
+
+template <typename PointInT, typename PointOutT>
+void FaultConstrainedNormalEstimation<PointInT, PointOutT>::compute(PointCloudOut& output) {
+  try {
+    Base::compute(output);
+  } catch (const std::exception&) { // the output could not be resized
+    fail("There is not enough memory.");
+    this->deinitCompute();
+    output.clear();
+  }
+}
+
+template <typename PointInT, typename PointOutT>
 bool FaultConstrainedNormalEstimation<PointInT, PointOutT>::initCompute() {
+  status_ = NormalEstimationStatus::NotRun;
   message_.clear();
   result_rho_ = result_delta_ = 0.0;
   if (!input_ || input_->empty())
@@ -98,6 +119,20 @@ CloudNormalOptions FaultConstrainedNormalEstimation<PointInT, PointOutT>::option
 
 template <typename PointInT, typename PointOutT>
 void FaultConstrainedNormalEstimation<PointInT, PointOutT>::computeFeature(PointCloudOut& output) {
+  try {
+    estimate(output);
+    return;
+  } catch (const std::bad_alloc&) {
+    fail("There is not enough memory.");
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+  result_rho_ = result_delta_ = 0.0;
+  fill({}, {}, output);
+}
+
+template <typename PointInT, typename PointOutT>
+void FaultConstrainedNormalEstimation<PointInT, PointOutT>::estimate(PointCloudOut& output) {
   const FaultNetwork no_faults;
   const FaultNetwork& faults = faults_ ? *faults_ : no_faults;
   const Points surface = detail::toPoints(*surface_);
@@ -107,35 +142,37 @@ void FaultConstrainedNormalEstimation<PointInT, PointOutT>::computeFeature(Point
   const bool whole = all_points || (own_points && orientation_ == NormalOrientation::SpanningTree);
   std::vector<Index> rows(indices_->begin(), indices_->end());
   CloudNormals normals;
-  try {
-    if (whole) {
-      normals = estimateCloudNormals(surface, faults, options());
-    } else {
-      const Points places = detail::toPoints(*input_, *indices_);
-      normals = estimateCloudNormals(surface, faults, options(), &places);
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        rows[i] = static_cast<Index>(i);
-    }
-  } catch (const Error& error) {
-    rows.assign(indices_->size(), -1);
-    fail(error.what());
+  if (whole) {
+    normals = estimateCloudNormals(surface, faults, options());
+  } else {
+    const Points places = detail::toPoints(*input_, *indices_);
+    normals = estimateCloudNormals(surface, faults, options(), &places);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      rows[i] = static_cast<Index>(i);
   }
   result_rho_ = normals.rho;
   result_delta_ = normals.delta;
   fill(normals, rows, output);
+  if (status_ == NormalEstimationStatus::Failed)
+    return;
+  const double step = std::isfinite(result_rho_ + result_delta_) ? result_rho_ + result_delta_ : boundsOf(surface).diagonal();
+  if (const std::string odd = faultsOutOfReach(faults, boundsOf(surface), step, "points"); !odd.empty())
+    warn(odd);
+  if (tree_)
+    warn("The search method that was set is not used: neighbours come from a grid that finds the same ones.");
 }
 
-/// Row i of the output takes plane rows[i]; NaN where that is -1.
+/// Row i of the output takes plane rows[i]; NaN where there is no row.
 template <typename PointInT, typename PointOutT>
 void FaultConstrainedNormalEstimation<PointInT, PointOutT>::fill(const CloudNormals& normals,
                                                                  const std::vector<Index>& rows,
                                                                  PointCloudOut& output) {
   std::size_t found = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for (std::size_t i = 0; i < output.size(); ++i) {
     PointOutT& out = output[i];
     out.normal_x = out.normal_y = out.normal_z = out.curvature =
         std::numeric_limits<float>::quiet_NaN();
-    if (rows[i] < 0)
+    if (i >= rows.size())
       continue;
     const auto row = static_cast<std::size_t>(rows[i]);
     const Vector3& normal = normals.planes.normals[row];
@@ -145,8 +182,8 @@ void FaultConstrainedNormalEstimation<PointInT, PointOutT>::fill(const CloudNorm
     out.curvature = normals.planes.curvature[row];
     ++found;
   }
-  output.is_dense = found == rows.size();
-  if (!message_.empty())
+  output.is_dense = found == output.size();
+  if (status_ == NormalEstimationStatus::Failed)
     return;
   if (found == 0)
     fail("No point has enough neighbours for a plane.");

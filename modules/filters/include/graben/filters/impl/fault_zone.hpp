@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/short_number.h"
 #include "graben/filters/fault_distance.h"
 #include "graben/filters/fault_zone.h"
 #include "graben/filters/impl/fault_filter.hpp"
@@ -26,6 +27,11 @@ std::vector<bool> FaultZone<PointT>::choose(const Points& points, const FaultNet
   std::vector<bool> chosen;
   for (const double distance : distances_)
     chosen.push_back(std::isfinite(distance));
+  if (faults.empty())
+    this->warn("There are no faults, so no point is near one.");
+  else if (std::none_of(chosen.begin(), chosen.end(), [](bool near) { return near; }))
+    this->warn("No point is within the width, " + shortNumber(used_width_) +
+               ", of a fault. Are the faults in another frame (origin, units, or the sign of z)?");
   return chosen;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/short_number.h"
 #include "graben/filters/impl/fault_filter.hpp"
 #include "graben/filters/wrong_side_filter.h"
 
@@ -17,6 +18,9 @@ std::vector<bool> WrongSidePicks<PointT>::choose(const Points& points, const Fau
   options.threads = this->threads_;
   const NeighborGrid grid(points, 0.0, this->threads_);
   result_ = findWrongSidePicks(grid, faults, options);
+  if (!faults.empty() && result_.judged == 0)
+    this->warn("No point is within the band, " + shortNumber(result_.used.band) +
+               ", of a fault. Are the faults in another frame (origin, units, or the sign of z)?");
   std::vector<bool> chosen;
   for (const PickReason reason : result_.reasons)
     chosen.push_back(reason == PickReason::Good);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graben/core/errors.h"
+#include "graben/surface/carried_fields.h"
 #include "graben/surface/hoppe_marching_cubes.h"
 
 #include <pcl/console/print.h>
@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 
 namespace graben {
 
@@ -35,6 +36,7 @@ bool HoppeMarchingCubes<PointNT>::begin() {
   message_.clear();
   surface_ = {};
   vertex_faults_.clear();
+  used_.clear();
   skipped_ = 0;
   if (!input_ || input_->empty())
     return fail("The input cloud is missing or empty.");
@@ -43,29 +45,60 @@ bool HoppeMarchingCubes<PointNT>::begin() {
   return true;
 }
 
+/// Nothing leaves it: what is thrown becomes a failure.
+template <typename PointNT>
+template <typename Work>
+void HoppeMarchingCubes<PointNT>::orFail(const Work& work) {
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    fail("There is not enough memory; use a larger voxel size.");
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+}
+
 template <typename PointNT>
 void HoppeMarchingCubes<PointNT>::reconstruct(pcl::PolygonMesh& output) {
-  output = pcl::PolygonMesh();
-  if (input_)
-    output.header = output.cloud.header = input_->header;
-  if (!begin())
-    return;
-  performReconstruction(output);
-  deinitCompute();
+  const pcl::PCLHeader header = input_ ? input_->header : pcl::PCLHeader();
+  orFail([&] {
+    output = pcl::PolygonMesh();
+    if (!begin())
+      return;
+    performReconstruction(output);
+    deinitCompute();
+  });
+  if (status_ == SurfaceStatus::Failed)
+    output = pcl::PolygonMesh();
+  output.header = output.cloud.header = header;
 }
 
 template <typename PointNT>
 void HoppeMarchingCubes<PointNT>::reconstruct(pcl::PointCloud<PointNT>& points,
                                               std::vector<pcl::Vertices>& polygons) {
-  polygons.clear();
-  if (begin()) {
+  const pcl::PCLHeader header = input_ ? input_->header : pcl::PCLHeader();
+  orFail([&] {
+    polygons.clear();
+    if (!begin())
+      return;
     performReconstruction(points, polygons);
     deinitCompute();
-    return;
+  });
+  if (status_ == SurfaceStatus::Failed) {
+    points.clear();
+    polygons.clear();
   }
-  points.clear();
-  if (input_)
-    points.header = input_->header;
+  points.header = header;
+}
+
+template <typename PointNT>
+void HoppeMarchingCubes<PointNT>::sayWhatLooksWrong() {
+  if (tree_)
+    surface_.warnings.push_back("The search method that was set is not used: neighbours come from a grid that finds the same ones.");
+  for (const std::string& warning : surface_.warnings) {
+    message_ += (message_.empty() ? "" : " ") + warning;
+    PCL_WARN("[graben::%s::reconstruct] %s\n", getClassName().c_str(), warning.c_str());
+  }
 }
 
 template <typename PointNT>
@@ -83,6 +116,7 @@ bool HoppeMarchingCubes<PointNT>::collect(Points& points, Points& normals) {
       continue;
     points.push_back(p.getVector3fMap().template cast<double>());
     normals.push_back(normal.template cast<double>().normalized());
+    used_.push_back(i);
   }
   skipped_ = indices_->size() - points.size();
   return points.empty() ? fail("No point is finite and has a normal.") : true;
@@ -104,20 +138,20 @@ void HoppeMarchingCubes<PointNT>::voxelizeData() {
     fail("There is no input cloud, or reconstruct() was not called.");
     return;
   }
-  Points points;
-  Points normals;
-  if (!collect(points, normals))
-    return;
-  try {
+  orFail([&] {
+    used_.clear();
+    Points points;
+    Points normals;
+    if (!collect(points, normals))
+      return;
+    HoppeSurfaceOptions o = options();
+    o.find_picks = transfer_fields_ && detail::hasFieldsToCarry<PointNT>();
     const FaultNetwork no_faults;
-    surface_ = hoppeSurface(points, normals, faults_ ? *faults_ : no_faults, options());
+    surface_ = hoppeSurface(points, normals, faults_ ? *faults_ : no_faults, o);
     vertex_faults_ = surface_.cut.vertex_faults;
     status_ = SurfaceStatus::Complete;
-  } catch (const std::bad_alloc&) {
-    fail("There is not enough memory; use a larger voxel size.");
-  } catch (const std::exception& error) {
-    fail(error.what());
-  }
+    sayWhatLooksWrong();
+  });
 }
 
 template <typename PointNT>
@@ -133,9 +167,13 @@ void HoppeMarchingCubes<PointNT>::performReconstruction(pcl::PointCloud<PointNT>
   voxelizeData();
   const TriangleMesh& mesh = surface_.cut.mesh;
   const pcl::PCLHeader header = input_ ? input_->header : pcl::PCLHeader();
-  points = pcl::PointCloud<PointNT>(); // may be the input itself, which is no longer needed
-  points.header = header;
-  points.resize(mesh.vertices.size());
+  pcl::PointCloud<PointNT> made; // points may be the input itself
+  made.header = header;
+  made.resize(mesh.vertices.size());
+  for (std::size_t v = 0; v < surface_.picks.size(); ++v)
+    if (surface_.picks[v] >= 0)
+      made[v] = (*input_)[static_cast<std::size_t>(used_[static_cast<std::size_t>(surface_.picks[v])])];
+  points = std::move(made);
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     points[v].getVector3fMap() = mesh.vertices[v].template cast<float>();
     points[v].getNormalVector3fMap() = mesh.normals[v].template cast<float>();
