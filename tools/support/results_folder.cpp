@@ -10,11 +10,15 @@
 #include "graben/io/mesh_writer.h"
 #include "graben/io/pick_writer.h"
 #include "graben/io/table_writer.h"
+#include "graben/mesh/bounds.h"
 #include "graben/mesh/components.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <sstream>
 
 namespace graben {
 
@@ -47,6 +51,36 @@ std::string pieceFile(std::size_t number) { return "piece_" + std::to_string(num
 
 std::string faultFile(const char* what, std::size_t fault, const ReconstructionResult& result) {
   return fileOfFault(what, fault, result.faults[fault].name);
+}
+
+/// The surface in single precision's reach, and coloured, as pcl_viewer colours by the first scalar, by piece or, where there is one, by depth.
+TriangleMesh forViewer(const ReconstructionResult& result) {
+  TriangleMesh local = result.mesh;
+  for (Vector3& p : local.vertices)
+    p -= result.frame.origin;
+  if (std::any_of(local.piece.begin(), local.piece.end(), [&](Index piece) { return piece != local.piece.front(); }))
+    return local;
+  local.piece.clear();
+  std::vector<float>& depth = local.scalars["depth"]; // the first by name is the one that is drawn
+  for (const Vector3& p : result.mesh.vertices)
+    depth.push_back(static_cast<float>(p.z()));
+  return local;
+}
+
+/// A view from the south, at a slant, that holds the whole surface: what pcl_viewer takes with -cam.
+std::string cameraOver(const ReconstructionResult& result) {
+  constexpr double kViewAngle = 0.5236; // radians, 30 degrees
+  Bounds box;
+  for (const Vector3& p : result.mesh.vertices)
+    box.extend(p - result.frame.origin);
+  const Vector3 middle = 0.5 * (box.low + box.high);
+  const double up = result.frame.mirrors() ? -1.0 : 1.0;
+  const double distance = 0.5 * box.diagonal() / std::sin(0.5 * kViewAngle);
+  const Vector3 eye = middle + distance * Vector3(0.0, -0.6, 0.8 * up);
+  std::ostringstream text;
+  text << 0.1 * distance << ',' << 10.0 * distance << '/' << middle.x() << ',' << middle.y() << ',' << middle.z() << '/' << eye.x() << ',' << eye.y() << ','
+       << eye.z() << "/0,0.8," << 0.6 * up << '/' << kViewAngle << "/1000,800/0,0\n";
+  return text.str();
 }
 
 void writePieces(const fs::path& dir, const Output& output) {
@@ -155,10 +189,8 @@ std::vector<std::string> writeSurface(const OptionValues& values, const Output& 
 std::vector<std::string> writeResults(const fs::path& dir, const OptionValues& values, const Output& output) {
   const ReconstructionResult& result = output.result;
   writeMesh((dir / "surface.ply").string(), result.mesh, meshOptions(output, "surface"));
-  TriangleMesh local = result.mesh;
-  for (Vector3& p : local.vertices)
-    p -= result.frame.origin;
-  writeMesh((dir / "surface.vtk").string(), local, meshOptions(output, "surface"));
+  writeMesh((dir / "surface.vtk").string(), forViewer(result), meshOptions(output, "surface"));
+  writeText(dir / "surface.cam", cameraOver(result));
   writePieces(dir, output);
   writeFaults(dir, output);
   writeCutoffs(dir, result);

@@ -26,8 +26,8 @@ std::string pcdHeader(std::size_t points, const PcdOptions& options) {
     appendRow(origin, *options.origin);
   }
   return "# .PCD v0.7 - Point Cloud Data file format\n" + origin + "VERSION 0.7\n" +
-         line("FIELDS", " x y z", " normal_x normal_y normal_z", " piece", " reason") +
-         line("SIZE", options.doubles ? " 8 8 8" : " 4 4 4", " 4 4 4", " 4", " 1") + line("TYPE", " F F F", " F F F", " I", " U") +
+         line("FIELDS", " x y z", " normal_x normal_y normal_z", " label", " reason") +
+         line("SIZE", options.doubles ? " 8 8 8" : " 4 4 4", " 4 4 4", " 4", " 1") + line("TYPE", " F F F", " F F F", " U", " U") +
          line("COUNT", " 1 1 1", " 1 1 1", " 1", " 1") + "WIDTH " + count +
          "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + count + "\nDATA binary\n";
 }
@@ -59,7 +59,7 @@ void writePcd(const std::string& path, std::size_t count, const std::function<Pc
       if (options.normals)
         filler.putVector<float>(p.normal);
       if (options.piece)
-        filler.put(p.piece);
+        filler.put(static_cast<std::uint32_t>(p.piece + 1));
       if (options.reason)
         filler.put(p.reason);
     }

@@ -84,7 +84,7 @@ TEST_F(ReconstructResults, PicturesAreThoseAskedForAndNeedNoDisplay) {
   EXPECT_EQ(names("r"),
             (std::set<std::string>{"cutoffs_1_fault_1.pol", "fault_1_fault_1.ts", "fault_polygons.csv", "fault_polygons.dbf", "fault_polygons.geojson",
                                    "fault_polygons.shp", "fault_polygons.shx", "gap_1_fault_1.pol", "graben_reconstruct.manifest", "picks.pcd", "piece_1.ts",
-                                   "piece_2.ts", "profile_1_fault_1.csv", "report.json", "set_aside.csv", "surface.ply", "surface.vtk",
+                                   "piece_2.ts", "profile_1_fault_1.csv", "report.json", "set_aside.csv", "surface.cam", "surface.ply", "surface.vtk",
                                    "throw_1_fault_1.csv"}));
 }
 

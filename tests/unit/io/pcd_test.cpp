@@ -85,21 +85,21 @@ TEST(PcdWriter, writesWhatPclAndWeRead) {
   const PickSet picks = readPicks(folder.path("a.pcd"));
   EXPECT_EQ(picks.points, cloud.points);
   EXPECT_EQ(picks.normals, cloud.normals);
-  EXPECT_THAT(picks.notes, Contains(HasSubstr("piece, reason")));
+  EXPECT_THAT(picks.notes, Contains(HasSubstr("label, reason")));
   pcl::PCLPointCloud2 read;
   Eigen::Vector4f origin;
   Eigen::Quaternionf orientation;
   int version = 0;
   ASSERT_EQ(pcl::PCDReader().read(folder.path("a.pcd"), read, origin, orientation, version), 0);
   ASSERT_EQ(read.fields.size(), 8U);
-  EXPECT_EQ(read.fields[6].name, "piece");
-  EXPECT_EQ(read.fields[6].datatype, pcl::PCLPointField::INT32);
+  EXPECT_EQ(read.fields[6].name, "label");
+  EXPECT_EQ(read.fields[6].datatype, pcl::PCLPointField::UINT32);
   EXPECT_EQ(read.fields[7].name, "reason");
   EXPECT_EQ(read.fields[7].datatype, pcl::PCLPointField::UINT8);
   for (std::size_t i : {0U, 2U, 999U}) {
-    std::int32_t piece = 0;
-    std::memcpy(&piece, &read.data[i * read.point_step + read.fields[6].offset], 4);
-    EXPECT_EQ(piece, cloud.piece[i]);
+    std::uint32_t label = 0;
+    std::memcpy(&label, &read.data[i * read.point_step + read.fields[6].offset], 4);
+    EXPECT_EQ(static_cast<Index>(label), cloud.piece[i] + 1);
     EXPECT_EQ(read.data[i * read.point_step + read.fields[7].offset], cloud.reason[i]);
   }
   EXPECT_EQ(read.width, 1000U);

@@ -39,8 +39,8 @@ struct PcdPoint {
   std::uint8_t reason = 0;
 };
 
-/// Writes a binary PCD for pcl_viewer: float32 x y z; then, where \a options ask for them, float32 normal_x normal_y normal_z, int32
-/// piece and uint8 reason.
+/// Writes a binary PCD for pcl_viewer: float32 x y z; then, where \a options ask for them, float32 normal_x normal_y normal_z, uint32
+/// label (the piece, counted from 1; 0: none), by which pcl_viewer colours at once, and uint8 reason.
 ///
 /// \param[in] count number of points
 /// \param[in] point gives point i; called from several threads at once
