@@ -24,6 +24,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"visualization", {"core", "mesh", "faults"}},
     {"pipeline", {"core", "mesh", "faults", "features", "filters", "surface", "analysis", "model"}},
     {"python", {"core", "mesh", "faults", "features", "filters", "surface", "analysis", "model", "io", "visualization", "pipeline"}},
+    {"umbrella", {"core", "mesh", "faults", "features", "filters", "surface", "analysis", "model", "pipeline", "io"}},
 };
 
 /// Which folders of a module's src each of its folders may include, beside itself; modules that are not named have none.
@@ -59,7 +60,7 @@ TEST(Includes, KeepTheDirectionBetweenModules) {
       const std::string what = included(line);
       if (what.rfind("graben/", 0) != 0)
         continue;
-      const std::string other = what.substr(7, what.find('/', 7) - 7);
+      const std::string other = what == "graben/graben.h" ? "umbrella" : what.substr(7, what.find('/', 7) - 7);
       EXPECT_TRUE(other == module || kMayInclude.at(module).count(other)) << file.path << " includes " << what;
     }
   }

@@ -1,19 +1,77 @@
-# Installs BUILD_DIR below WORK_DIR, then configures, builds and runs SOURCE_DIR against it.
+# Installs BUILD_DIR below WORK_DIR, or for KIND shared the same objects linked again as shared libraries, moves what was installed somewhere else, and
+# builds and runs programs against it.
 function(run)
-  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE errors)
   if(NOT result EQUAL 0)
     list(JOIN ARGV " " command)
-    message(FATAL_ERROR "${command}\nended with ${result}:\n${output}")
+    message(FATAL_ERROR "${command}\nended with ${result}:\n${output}${errors}")
   endif()
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 
+function(expect file)
+  if(NOT EXISTS ${prefix}/${file})
+    message(FATAL_ERROR "${file} was not installed")
+  endif()
+endfunction()
+
+# Configures, builds and runs a program that is itself only C++.
+function(program name)
+  run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/${name} -B ${WORK_DIR}/${name} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_PREFIX_PATH=${prefix} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DGRABEN_VERSION=${VERSION} ${ARGN})
+  run(${CMAKE_COMMAND} --build ${WORK_DIR}/${name})
+  run(${WORK_DIR}/${name}/${name})
+  message("${name}: ${output}")
+endfunction()
+
 file(REMOVE_RECURSE ${WORK_DIR})
-run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/install)
-run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/build -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release
-  -DCMAKE_PREFIX_PATH=${WORK_DIR}/install -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
-  -DGRABEN_VERSION=${VERSION})
-run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
-run(${WORK_DIR}/build/consumer)
-message("${output}")
+set(installed ${BUILD_DIR})
+if(KIND STREQUAL shared)
+  set(installed ${WORK_DIR}/build)
+  run(${CMAKE_COMMAND} -S ${ROOT_DIR} -B ${installed} -G ${GENERATOR} -DCMAKE_BUILD_TYPE=${BUILD_TYPE} -DCMAKE_CXX_COMPILER=${COMPILER}
+    -DBUILD_SHARED_LIBS=ON -DGRABEN_BUILD_TESTS=OFF -DGRABEN_OBJECTS_OF=${BUILD_DIR})
+  run(${CMAKE_COMMAND} --build ${installed})
+endif()
+run(${CMAKE_COMMAND} --install ${installed} --prefix ${WORK_DIR}/first)
+set(prefix ${WORK_DIR}/moved)
+file(RENAME ${WORK_DIR}/first ${prefix})
+if(KIND STREQUAL shared)
+  file(REMOVE_RECURSE ${installed})
+endif()
+
+# The commands run where they are now.
+run(${prefix}/bin/graben_synthesize --quiet --kind normal --picks 1000 --output ${WORK_DIR}/sample)
+run(${prefix}/bin/graben_info ${WORK_DIR}/sample/horizon.xyz)
+foreach(file README.md LICENSE config/parameters/example.conf config/documentation/report.md)
+  expect(share/doc/graben/${file})
+endforeach()
+expect(share/graben/package.xml)
+expect(include/graben/graben.h)
+
+if(KIND STREQUAL shared)
+  string(REGEX REPLACE "\\.[0-9]+$" "" minor ${VERSION})
+  expect(${LIBDIR}/libgraben_surface.so.${minor})
+  run(nm --dynamic --demangle --defined-only ${prefix}/${LIBDIR}/libgraben_surface.so)
+  if(NOT output MATCHES "graben::FaultCutter::processMesh")
+    message(FATAL_ERROR "a public class is hidden:\n${output}")
+  endif()
+  if(output MATCHES "graben::CarriedMesh::")
+    message(FATAL_ERROR "a class of a private header is visible outside its library")
+  endif()
+else()
+  # Nothing that draws is asked for where nothing is drawn.
+  program(variables -DCMAKE_DISABLE_FIND_PACKAGE_X11=ON -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON)
+endif()
+program(program)
+
+set(ENV{PKG_CONFIG_PATH} ${prefix}/${LIBDIR}/pkgconfig)
+run(pkg-config --cflags --libs graben_features)
+string(STRIP "${output}" flags)
+separate_arguments(flags UNIX_COMMAND "${flags}")
+run(${LAUNCHER} ${COMPILER} ${CMAKE_CURRENT_LIST_DIR}/variables/main.cpp ${flags} -Wl,-rpath,${prefix}/${LIBDIR} -o ${WORK_DIR}/by_pkg_config)
+run(${WORK_DIR}/by_pkg_config)
+message("by pkg-config: ${output}")
+foreach(module umbrella visualization)
+  run(pkg-config --exists --print-errors graben_${module})
+endforeach()
 file(REMOVE_RECURSE ${WORK_DIR})

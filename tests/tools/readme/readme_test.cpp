@@ -1,45 +1,18 @@
 #include "graben/io/mesh_reader.h"
+#include "pages.h"
 #include "support/tool.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <regex>
-#include <vector>
 
 namespace graben {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// README.md and the files it names.
-class Readme : public test::ToolTest {
+/// README.md, the pages of config/documentation, and what they say can be done.
+class Pages : public test::ToolTest {
 protected:
-  static std::string source(const std::string& file) {
-    std::ifstream in(fs::path(GRABEN_SOURCE_DIR) / file, std::ios::binary);
-    EXPECT_TRUE(in) << file;
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
-
-  /// The blocks fenced with ```language, in order.
-  static std::vector<std::string> blocks(const std::string& language) {
-    std::vector<std::string> found;
-    std::istringstream in(source("README.md"));
-    bool inside = false;
-    for (std::string line; std::getline(in, line);) {
-      if (!inside && line == "```" + language) {
-        inside = true;
-        found.emplace_back();
-      } else if (inside && line == "```") {
-        inside = false;
-      } else if (inside) {
-        found.back() += line + "\n";
-      }
-    }
-    return found;
-  }
-
   /// Runs a script in the test's folder with the built commands on the path. \return its exit code
   int shell(const std::string& script) const {
     write("script", "set -eu\nPATH='" GRABEN_BIN_DIR "':$PATH\n" + script);
@@ -49,26 +22,37 @@ protected:
   static bool canDraw() {
     return std::getenv("DISPLAY") != nullptr || std::system("command -v Xvfb > /dev/null") == 0;
   }
+
+  /// Runs the blocks ```bash of a page one after the other, in an empty folder.
+  void expectToRun(const std::string& page) {
+    std::string script;
+    for (const std::string& block : test::blocks(page, "bash"))
+      script += block;
+    ASSERT_FALSE(script.empty()) << page;
+    if (!canDraw()) // draws nothing, says yes
+      script = "graben_render() { touch map.png section.png; }\n" + script;
+    ASSERT_EQ(shell(script), 0) << page << ": " << content("output.txt");
+  }
+
+  void expectFiles(const std::vector<std::string>& files) const {
+    for (const std::string& file : files)
+      EXPECT_TRUE(fs::exists(path(file))) << file;
+  }
 };
 
-TEST_F(Readme, CommandsRunAsPrinted) {
-  const std::vector<std::string> scripts = blocks("bash");
-  ASSERT_EQ(scripts.size(), 1U);
-  std::string script = scripts[0];
-  if (!canDraw()) // draws nothing, says yes
-    script = "graben_render() { touch map.png section.png; }\n" + script;
-  ASSERT_EQ(shell(script), 0) << content("output.txt");
-  for (const char* file :
-       {"top.ply", "top.vtp", "figures.json", "map.png", "section.png", "picks.ply"})
-    EXPECT_TRUE(fs::exists(path(file))) << file;
-  for (const char* file : {"surface.ply", "surface.vtk", "piece_1.ts", "fault_1_fault_1.ts",
-                           "cutoffs_1_fault_1.pol", "picks.pcd", "report.json"}) {
-    EXPECT_TRUE(fs::exists(path("results/" + std::string(file)))) << file;
-  }
+TEST_F(Pages, CommandsOfTheReadmeRun) {
+  expectToRun("README.md");
+  expectFiles({"top.ply", "results/report.html", "results/surface.ply", "results/surface.vtk", "results/picks.pcd", "results/piece_1.ts",
+               "results/cutoffs_1_fault_1.pol", "results/report.json", "model/blocks.png", "sections"});
 }
 
-TEST_F(Readme, EveryCommandIsShown) {
-  const std::string script = blocks("bash").at(0);
+TEST_F(Pages, CommandsOfThePageOnCommandsRun) {
+  expectToRun("config/documentation/commands.md");
+  expectFiles({"top.ply", "top.vtp", "figures.json", "map.png", "section.png", "picks.ply", "results/fault_1_fault_1.ts", "fault_1.csv"});
+}
+
+TEST_F(Pages, EveryCommandIsShown) {
+  const std::string script = test::blocks("config/documentation/commands.md", "bash").at(0);
   for (const auto& entry : fs::directory_iterator(GRABEN_SOURCE_DIR "/tools")) {
     if (entry.path().extension() == ".cpp") {
       EXPECT_NE(script.find("\n" + entry.path().stem().string() + " "), std::string::npos)
@@ -77,22 +61,41 @@ TEST_F(Readme, EveryCommandIsShown) {
   }
 }
 
-TEST_F(Readme, ProgramIsTheOneThatIsCompiled) {
-  EXPECT_EQ(blocks("cpp"), std::vector<std::string>{source("tests/tools/readme/program/main.cpp")});
-  EXPECT_EQ(blocks("cmake"),
-            std::vector<std::string>{source("tests/tools/readme/program/CMakeLists.txt")});
+/// `--option` stands in no page that no command or script knows.
+TEST_F(Pages, OptionsAreKnown) {
+  std::string known;
+  for (const auto& entry : fs::recursive_directory_iterator(GRABEN_SOURCE_DIR "/tools"))
+    if (entry.path().extension() == ".cpp")
+      known += run(entry.path().stem().string().substr(std::string("graben_").size()), "--help").output;
+  for (const char* script : {"tools/readme_figures", "tools/module_map", "tests/benchmark/compare", "tests/benchmark/accuracy/sweep"})
+    known += test::source(script);
+  known += "--build --install --target "; // of cmake
+  for (const std::string& page : test::pages()) {
+    const std::string text = test::source(page);
+    const std::regex option("[ `(](--[a-z][a-z-]+)");
+    for (std::sregex_iterator it(text.begin(), text.end(), option), end; it != end; ++it)
+      EXPECT_TRUE(std::regex_search(known, std::regex((*it)[1].str() + "[^a-z-]"))) << page << ": " << (*it)[1];
+  }
 }
 
-TEST_F(Readme, ProgramMakesTheSurface) {
-  ASSERT_EQ(run("synthesize", "--quiet --output sample --kind normal --picks 10000 --noise 0").code,
-            0);
-  ASSERT_EQ(shell("'" GRABEN_README_PROGRAM "'"), 0) << content("output.txt");
-  const TriangleMesh mesh = readMesh(path("fitted.ply"));
-  EXPECT_GT(mesh.triangles.size(), 10000U);
-  EXPECT_EQ(run("evaluate", "fitted.ply --quiet --check --fault sample/fault_1.ts").code, 0);
+TEST_F(Pages, ProgramsAreThoseThatAreCompiled) {
+  const std::string folder = "tests/tools/readme/";
+  EXPECT_EQ(test::blocks("README.md", "cpp"), std::vector<std::string>{test::source(folder + "program/main.cpp")});
+  EXPECT_EQ(test::blocks("README.md", "cmake"), std::vector<std::string>{test::source(folder + "program/CMakeLists.txt")});
+  const std::vector<std::string> of_guide = test::blocks("config/documentation/pcl.md", "cpp");
+  EXPECT_NE(std::find(of_guide.begin(), of_guide.end(), test::source(folder + "chained/main.cpp")), of_guide.end());
 }
 
-TEST_F(Readme, ConfigurationFileIsTakenAndChangesNothing) {
+TEST_F(Pages, ProgramsMakeTheSurface) {
+  ASSERT_EQ(run("synthesize", "--quiet --output sample --kind normal --picks 10000").code, 0);
+  for (const auto& [program, file] : {std::pair<std::string, std::string>{GRABEN_README_PROGRAM, "horizon.ply"}, {GRABEN_CHAINED_PROGRAM, "fitted.ply"}}) {
+    ASSERT_EQ(shell("'" + program + "'"), 0) << content("output.txt");
+    EXPECT_GT(readMesh(path(file)).triangles.size(), 10000U);
+    EXPECT_EQ(run("evaluate", file + " --quiet --check --fault sample/fault_1.ts").code, 0) << file;
+  }
+}
+
+TEST_F(Pages, ConfigurationFileIsTakenAndChangesNothing) {
   ASSERT_EQ(run("synthesize", "--quiet --output sample --picks 2000").code, 0);
   const std::string job =
       "--quiet --horizon sample/horizon.xyz --fault sample/fault_1.ts --output ";
@@ -103,7 +106,7 @@ TEST_F(Readme, ConfigurationFileIsTakenAndChangesNothing) {
   EXPECT_TRUE(content("with.ply") == content("without.ply"));
 
   // The lines in comments are options too.
-  std::string all = std::regex_replace(source("config/parameters/example.conf"),
+  std::string all = std::regex_replace(test::source("config/parameters/example.conf"),
                                        std::regex("(^|\n)# ([a-z-]+ = )"), "$1$2");
   all = std::regex_replace(all, std::regex("(^|\n)(horizon|fault|dips|output|results) = [^\n]*"), "");
   write("all.conf", all);
@@ -111,22 +114,62 @@ TEST_F(Readme, ConfigurationFileIsTakenAndChangesNothing) {
   EXPECT_EQ(run("reconstruct", job + "all.ply --config all.conf").code, 0);
 }
 
-TEST_F(Readme, LinksLeadSomewhereAndPicturesAreSmall) {
-  const std::string text = source("README.md");
-  const std::regex link(R"(\]\(([^)]+)\))");
+TEST_F(Pages, LinksLeadSomewhereAndPicturesAreSmall) {
   std::size_t pictures = 0;
-  for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
-    const std::string target = (*it)[1];
-    if (target.rfind("http", 0) == 0)
-      continue;
-    const fs::path file = fs::path(GRABEN_SOURCE_DIR) / target;
-    ASSERT_TRUE(fs::exists(file)) << target;
-    if (file.extension() == ".png") {
-      ++pictures;
-      EXPECT_LT(fs::file_size(file), 300U * 1024U) << target;
+  for (const std::string& page : test::pages()) {
+    const std::string text = test::source(page);
+    const std::regex link(R"(\]\(([^)#]+)(#[^)]*)?\))");
+    for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+      const std::string target = (*it)[1];
+      if (target.rfind("http", 0) == 0)
+        continue;
+      const fs::path file = fs::path(GRABEN_SOURCE_DIR) / fs::path(page).parent_path() / target;
+      ASSERT_TRUE(fs::exists(file)) << page << ": " << target;
+      if (file.extension() == ".png") {
+        ++pictures;
+        EXPECT_LT(fs::file_size(file), 300U * 1024U) << target;
+      }
     }
   }
-  EXPECT_GE(pictures, 1U);
+  EXPECT_GE(pictures, 6U);
+}
+
+/// Every page can be reached from the README, and no picture lies about that none shows.
+TEST_F(Pages, NothingIsLost) {
+  std::string all;
+  for (const std::string& page : test::pages())
+    all += test::source(page);
+  for (const auto& entry : fs::directory_iterator(GRABEN_SOURCE_DIR "/config/documentation"))
+    EXPECT_TRUE(std::regex_search(all, std::regex("\\]\\((config/documentation/)?" + entry.path().filename().string() + "[)#]"))) << entry.path();
+}
+
+TEST_F(Pages, TheReadmeStaysShort) {
+  const std::string text = test::source("README.md");
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 150);
+}
+
+TEST_F(Pages, ShortTablesAreTakenFromThePages) {
+  const std::string root = GRABEN_SOURCE_DIR;
+  fs::create_directories(path("config"));
+  ASSERT_EQ(shell("cp '" + root + "/README.md' README.md; cp -r '" + root + "/config/documentation' config/; mkdir tools; cp '" + root +
+                  "/tools/readme_figures' tools/; tools/readme_figures --short"),
+            0)
+      << content("output.txt");
+  EXPECT_TRUE(content("README.md") == test::source("README.md")) << "tools/readme_figures --short brings it up to date";
+}
+
+TEST_F(Pages, TheMapShowsWhatModulesInclude) {
+  ASSERT_EQ(shell("python3 '" GRABEN_SOURCE_DIR "/tools/module_map' --edges > edges.txt"), 0);
+  std::istringstream edges(content("edges.txt"));
+  const std::string map = test::source("config/documentation/modules.svg");
+  std::size_t count = 0;
+  for (std::string from, arrow, to; edges >> from >> arrow >> to; ++count)
+    EXPECT_NE(map.find("<title>" + from + "&#45;&gt;" + to + "</title>"), std::string::npos) << from << " -> " << to << "; tools/module_map draws it";
+  EXPECT_GT(count, 10U);
+  std::size_t drawn = 0;
+  for (std::size_t at = map.find("&#45;&gt;"); at != std::string::npos; at = map.find("&#45;&gt;", at + 1))
+    ++drawn;
+  EXPECT_EQ(drawn, count) << "arrows that are no longer true; tools/module_map draws it";
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-"""Markdown tables, and their place in README.md."""
+"""Markdown tables, and their place in config/documentation/accuracy.md."""
 
 from .run import ROOT
 
@@ -9,11 +9,11 @@ def table(head, rows):
     return "\n".join(lines) + "\n"
 
 
-def into_readme(name, text, readme=ROOT / "README.md"):
+def into_page(name, text, page=ROOT / "config" / "documentation" / "accuracy.md"):
     """Replaces what stands between <!-- NAME --> and <!-- /NAME -->."""
     begin, end = f"<!-- {name} -->\n", f"<!-- /{name} -->\n"
-    before, found, rest = readme.read_text(encoding="utf-8").partition(begin)
+    before, found, rest = page.read_text(encoding="utf-8").partition(begin)
     after = rest.partition(end)
     if not found or not after[1]:
-        raise SystemExit(f"{readme} has no marks for '{name}'")
-    readme.write_text(before + begin + text + end + after[2], encoding="utf-8")
+        raise SystemExit(f"{page} has no marks for '{name}'")
+    page.write_text(before + begin + text + end + after[2], encoding="utf-8")

@@ -39,7 +39,7 @@ public:
   bool empty() const { return splits_.empty(); }
 
 private:
-  friend std::size_t splitEdges(TetrahedronMesh&, const EdgeSplits&, const std::vector<std::vector<double>*>&);
+  friend std::size_t splitEdges(TetrahedronMesh& mesh, const EdgeSplits& splits, const std::vector<std::vector<double>*>& fields);
   struct Split {
     Index a, b; ///< a < b
     double t;

@@ -1,0 +1,35 @@
+# Debian packages, made by `cpack` in the build folder: graben (commands and documents) and libgraben-dev (headers and libraries to build with).
+file(STRINGS package.xml _maintainer REGEX "<maintainer")
+string(REGEX REPLACE ".*email=\"([^\"]+)\">([^<]+)<.*" "\\2 <\\1>" CPACK_PACKAGE_CONTACT "${_maintainer}")
+file(STRINGS package.xml _summary REGEX "<description>")
+string(REGEX REPLACE ".*<description>([^.]*)\\..*" "\\1" CPACK_PACKAGE_DESCRIPTION_SUMMARY "${_summary}")
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME graben)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES TRUE)
+set(CPACK_DEB_COMPONENT_INSTALL TRUE)
+set(CPACK_COMPONENTS_ALL runtime development documentation)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+
+set(CPACK_DEBIAN_COMMANDS_PACKAGE_NAME graben)
+set(CPACK_DEBIAN_COMMANDS_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_COMMANDS_PACKAGE_SHLIBDEPS TRUE)
+# Free views need a display: without one Xvfb is started.
+set(CPACK_DEBIAN_COMMANDS_PACKAGE_RECOMMENDS "xvfb, libgl1-mesa-dri, fonts-dejavu-core")
+
+set(CPACK_DEBIAN_HEADERS_PACKAGE_NAME libgraben-dev)
+set(CPACK_DEBIAN_HEADERS_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_HEADERS_PACKAGE_DEPENDS "libeigen3-dev, libpcl-dev (>= 1.13), libvtk9-dev, libx11-dev, libcairo2-dev")
+if(BUILD_SHARED_LIBS)
+  string(PREPEND CPACK_DEBIAN_HEADERS_PACKAGE_DEPENDS "graben (= ${PROJECT_VERSION}), ")
+endif()
+
+include(CPack)
+cpack_add_component_group(commands DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}: the commands.")
+cpack_add_component_group(headers DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}: the PCL classes, to build programs with.")
+cpack_add_component(runtime GROUP commands)
+cpack_add_component(documentation GROUP commands)
+cpack_add_component(development GROUP headers)
