@@ -34,6 +34,6 @@ Description: graben, faulted geological horizons from picks and faults: module $
 Version: ${PROJECT_VERSION}
 Requires: ${_requires}
 Libs: ${_libs}
-Cflags: -I\${includedir} -std=c++17${_cflags}
+Cflags: -I\${includedir}${_cflags}
 ")
 install(FILES "${CMAKE_BINARY_DIR}/pkgconfig/graben_${_module}.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)

@@ -99,6 +99,59 @@ TEST(Includes, PrivateHeadersStayInTheirModule) {
   }
 }
 
+/// The public headers by the path they are included by.
+std::map<std::string, SourceFile> publicHeaders() {
+  std::map<std::string, SourceFile> headers;
+  for (SourceFile& file : sourceTree())
+    if (const auto at = file.path.find("/include/graben/"); at != std::string::npos && file.extension() == ".h")
+      headers.emplace(file.path.substr(at + std::string("/include/").size()), std::move(file));
+  return headers;
+}
+
+/// All that a header includes, itself too.
+std::set<std::string> reached(const std::map<std::string, SourceFile>& headers, const std::string& from) {
+  std::set<std::string> found;
+  std::vector<std::string> open{from};
+  while (!open.empty()) {
+    const std::string name = open.back();
+    open.pop_back();
+    if (headers.count(name) == 0 || !found.insert(name).second)
+      continue;
+    for (const std::string& line : headers.at(name).lines)
+      open.push_back(included(line));
+  }
+  return found;
+}
+
+/// A program that includes a PCL class can use the types that its comments speak of.
+TEST(Includes, HeadersOfPclClassesIncludeWhatTheirCommentsName) {
+  const std::map<std::string, SourceFile> headers = publicHeaders();
+  const std::regex type(R"(^\s*(?:struct|class|enum class) ([A-Z]\w+)[^;]*$)"), word("[A-Z]\\w+"), derived(" : public (pcl::|Fault)");
+  std::map<std::string, std::set<std::string>> declared;
+  std::smatch match;
+  for (const auto& [name, file] : headers)
+    for (const std::string& line : file.lines)
+      if (std::regex_match(line, match, type))
+        declared[match[1]].insert(name);
+  std::size_t classes = 0;
+  for (const auto& [name, file] : headers) {
+    if (std::none_of(file.lines.begin(), file.lines.end(), [&](const std::string& line) { return std::regex_search(line, derived); }))
+      continue;
+    ++classes;
+    const std::set<std::string> known = reached(headers, name);
+    for (const std::string& line : file.lines) {
+      const auto comment = std::min({line.find("//"), line.find("/**"), line.find(" * ")});
+      for (std::sregex_iterator it(line.begin() + static_cast<std::ptrdiff_t>(std::min(comment, line.size())), line.end(), word), end; it != end; ++it) {
+        const auto found = declared.find(it->str());
+        const auto isKnown = [&](const std::string& header) { return known.count(header) > 0; };
+        EXPECT_TRUE(found == declared.end() || std::any_of(found->second.begin(), found->second.end(), isKnown))
+            << file.path << " speaks of " << it->str() << " without its header";
+      }
+    }
+  }
+  EXPECT_GE(classes, 9U);
+}
+
 TEST(Includes, NoVtkInPublicHeaders) {
   for (const SourceFile& file : sourceTree()) {
     if (file.path.find("/include/graben/") == std::string::npos)

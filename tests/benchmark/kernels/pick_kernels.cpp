@@ -5,6 +5,9 @@
 #include "graben/features/sampling.h"
 #include "graben/filters/wrong_side_picks.h"
 
+#include <pcl/point_types.h>
+#include <pcl/search/kdtree.h>
+
 namespace graben::benchmarks {
 namespace {
 
@@ -28,6 +31,25 @@ void nearestNeighbors(benchmark::State& state) {
   countPicks(state);
 }
 BENCHMARK(nearestNeighbors)->Apply(sizes);
+
+/// The same neighbours from the tree that PCL's classes use.
+void flannNeighbors(benchmark::State& state) {
+  Scene& scene = Scene::of(state.range(0));
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  for (const Vector3& p : scene.points())
+    cloud->emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
+  pcl::search::KdTree<pcl::PointXYZ> tree;
+  tree.setInputCloud(cloud);
+  for (auto _ : state)
+    parallelBlocks(cloud->size(), 1024, 0, [&](std::size_t begin, std::size_t end) {
+      pcl::Indices found;
+      std::vector<float> squared;
+      for (std::size_t i = begin; i < end; ++i)
+        tree.nearestKSearch((*cloud)[i], static_cast<int>(kNeighbors), found, squared);
+    });
+  countPicks(state);
+}
+BENCHMARK(flannNeighbors)->Apply(sizes);
 
 void sampling(benchmark::State& state) {
   Scene& scene = Scene::of(state.range(0));

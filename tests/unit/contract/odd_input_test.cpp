@@ -202,6 +202,15 @@ TEST_F(OddInput, AFitWithoutFaultsOrCutOrCloudNearbyIsTold) {
   EXPECT_EQ(fitter.getResult().fitted, 0U);
 }
 
+TEST_F(OddInput, AFilterWithoutACloudFails) {
+  FaultZone<pcl::PointXYZ> zone;
+  pcl::Indices kept{1, 2};
+  zone.filter(kept);
+  EXPECT_EQ(zone.getStatus(), FilterStatus::Failed);
+  EXPECT_THAT(zone.getStatusMessage(), HasSubstr("missing"));
+  EXPECT_TRUE(kept.empty());
+}
+
 TEST_F(OddInput, NoPlanesToAverageOverAreRefused) {
   HoppeMarchingCubes<pcl::PointNormal> cubes;
   pcl::PolygonMesh out;

@@ -7,7 +7,7 @@ int main() {
     picks->emplace_back(p.x(), p.y(), p.z());
   graben::FaultedHorizonReconstruction<pcl::PointXYZ> horizon;
   horizon.setInputCloud(picks);
-  horizon.setFaults(graben::FaultNetwork::fromFiles({"sample/fault_1.pol"}));
+  horizon.setFaultInputs(graben::readFaults("sample/fault_1.pol"));
   pcl::PolygonMesh surface;
   horizon.reconstruct(surface);
   return pcl::io::savePLYFileBinary("horizon.ply", surface);

@@ -52,7 +52,7 @@ public:
   void setFaults(std::shared_ptr<const FaultNetwork> faults) { faults_ = std::move(faults); }
   std::shared_ptr<const FaultNetwork> getFaults() const { return faults_; }
 
-  /// Faults as readFaults() gives them, beside those of setFaults(): sticks are lofted as the options and the picks ask for, which is what
+  /// Faults as files have them (graben/io/fault_reader.h), beside those of setFaults(): sticks are lofted as the options and the picks ask for, which is what
   /// graben_reconstruct does.
   void setFaultInputs(std::vector<FaultInput> faults) { fault_inputs_ = std::move(faults); }
   const std::vector<FaultInput>& getFaultInputs() const { return fault_inputs_; }

@@ -12,8 +12,8 @@
 
 namespace graben {
 
-/** \brief A pcl::MeshProcessing that works on a mesh and faults: what FaultCutter and
- * QEMFaultFitter share.
+/** \brief A pcl::MeshProcessing that works on a mesh and faults: what the classes that cut and fit
+ * share.
  *
  * The input mesh has float fields x, y, z and any others. Polygons with more than three corners are
  * split into triangles; points that are not finite and polygons that use them or points that do not

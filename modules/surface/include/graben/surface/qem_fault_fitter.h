@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/features/cloud_normals.h"
 #include "graben/surface/fault_cutter.h"
 #include "graben/surface/fault_mesh_processing.h"
 #include "graben/surface/hoppe_marching_cubes.h"
@@ -31,8 +32,8 @@ public:
   using ConstPtr = pcl::shared_ptr<const QEMFaultFitter>;
   using Cloud = pcl::PointCloud<pcl::PointNormal>;
 
-  /// The picks in the mesh's frame, of any point type with x, y, z; required. Normals are taken from the cloud or, where its type has none, found as
-  /// FaultConstrainedNormalEstimation does. Points or normals that are not finite and normals shorter than 0.5 are skipped; which way a normal points
+  /// The picks in the mesh's frame, of any point type with x, y, z; required. Normals are taken from the cloud or, where its type has none, found by
+  /// estimateCloudNormals(). Points or normals that are not finite and normals shorter than 0.5 are skipped; which way a normal points
   /// makes no difference. Shared, not copied; null: no cloud.
   template <typename PointT>
   void setInputCloud(const pcl::shared_ptr<const pcl::PointCloud<PointT>>& cloud) {

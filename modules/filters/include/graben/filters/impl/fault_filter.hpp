@@ -27,6 +27,8 @@ void FaultFilter<PointT>::fail(const std::string& message) {
 /// Nothing if there was an error.
 template <typename PointT>
 std::vector<bool> FaultFilter<PointT>::chooseOrFail(const Points& points) {
+  if (this->fake_indices_ && indices_->size() != points.size())
+    throw std::bad_alloc(); // which PCL has kept to itself
   const auto size = static_cast<pcl::index_t>(points.size());
   if (std::any_of(indices_->begin(), indices_->end(),
                   [size](pcl::index_t i) { return i < 0 || i >= size; })) {
@@ -79,12 +81,16 @@ void FaultFilter<PointT>::applyFilter(pcl::Indices& indices) {
 template <typename PointT>
 template <typename Output>
 void FaultFilter<PointT>::filterOrFail(Output& output) {
+  status_ = FilterStatus::NotRun;
   try {
     pcl::FilterIndices<PointT>::filter(output);
+    if (status_ == FilterStatus::NotRun)
+      fail("The input cloud is missing.");
   } catch (const std::exception&) { // outside applyFilter(), PCL only copies
     fail("There is not enough memory.");
-    output.clear();
   }
+  if (status_ == FilterStatus::Failed && !this->keep_organized_)
+    output.clear();
 }
 
 template <typename PointT>
