@@ -37,7 +37,7 @@ enum class NormalEstimationStatus {
  * Compiled for PointXYZ, PointXYZI, PointXYZL, PointXYZRGB, PointXYZRGBA, PointNormal,
  * PointXYZINormal and PointXYZRGBNormal in, and Normal, PointNormal, PointXYZINormal and
  * PointXYZRGBNormal out. For points of your own define PCL_NO_PRECOMPILE before the includes and link
- * graben::features.
+ * graben::features and lz4.
  */
 template <typename PointInT, typename PointOutT>
 class FaultConstrainedNormalEstimation : public pcl::NormalEstimationOMP<PointInT, PointOutT> {

@@ -36,7 +36,7 @@ namespace graben {
  *
  * Compiled for PointXYZ, PointXYZI, PointXYZL, PointXYZRGB, PointXYZRGBA, PointNormal, PointXYZINormal and
  * PointXYZRGBNormal. For points of your own define PCL_NO_PRECOMPILE before the includes and link
- * graben::pipeline.
+ * graben::pipeline and lz4.
  */
 template <typename PointNT>
 class FaultedHorizonReconstruction : public pcl::SurfaceReconstruction<PointNT> {

@@ -49,7 +49,7 @@ namespace graben {
  * threads. An object serves one thread at a time.
  *
  * Compiled for PointNormal, PointXYZINormal and PointXYZRGBNormal. For points of your own, with x, y, z and
- * normals, define PCL_NO_PRECOMPILE before the includes and link graben::surface.
+ * normals, define PCL_NO_PRECOMPILE before the includes and link graben::surface and lz4.
  */
 template <typename PointNT>
 class HoppeMarchingCubes : public pcl::MarchingCubesHoppe<PointNT> {
