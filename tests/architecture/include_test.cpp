@@ -126,7 +126,7 @@ std::set<std::string> reached(const std::map<std::string, SourceFile>& headers, 
 /// A program that includes a PCL class can use the types that its comments speak of.
 TEST(Includes, HeadersOfPclClassesIncludeWhatTheirCommentsName) {
   const std::map<std::string, SourceFile> headers = publicHeaders();
-  const std::regex type(R"(^\s*(?:struct|class|enum class) ([A-Z]\w+)[^;]*$)"), word("[A-Z]\\w+"), derived(" : public (pcl::|Fault)");
+  const std::regex type(R"(^\s*(?:struct|class|enum class) ([A-Z]\w+)[^;]*$)"), word("\\b[A-Z]\\w+"), derived(" : public (pcl::|Fault)");
   std::map<std::string, std::set<std::string>> declared;
   std::smatch match;
   for (const auto& [name, file] : headers)

@@ -48,7 +48,8 @@ void checkHorizonOutputs(const OptionValues& values) {
   checkOutputs(outputFiles(values), inputFiles(values));
   if (!values.has("results"))
     return;
-  std::vector<std::string> names = {"surface.ply", "surface.vtk", "surface.cam", "piece_1.ts", "picks.pcd", "set_aside.csv", "report.json", resultsSet().manifest};
+  std::vector<std::string> names = {"surface.ply", "surface.vtk", "surface.cam", "piece_1.ts",
+                                    "picks.pcd",   "report.json", "set_aside.csv", resultsSet().manifest};
   for (const char* picture : {"map", "pieces", "residuals", "oblique"})
     if (pictureChoice(values).has(picture))
       names.push_back(std::string(picture) + ".png");

@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <stdexcept>
 #include <thread>
 
@@ -83,12 +84,16 @@ double Shot::covered(bool border) const {
   return all > 0 ? static_cast<double>(there) / static_cast<double>(all) : 0.0;
 }
 
-std::set<Shot::Color> Shot::colors() const {
+std::set<Shot::Color> Shot::colors(int least) const {
   constexpr int kGray = 12; // channels of greys differ by less
-  std::set<Color> found;
+  std::map<Color, int> counts;
   for (const Color& c : pixels)
     if (*std::max_element(c.begin(), c.end()) - *std::min_element(c.begin(), c.end()) > kGray)
-      found.insert(c);
+      ++counts[c];
+  std::set<Color> found;
+  for (const auto& [color, count] : counts)
+    if (count >= least)
+      found.insert(color);
   return found;
 }
 

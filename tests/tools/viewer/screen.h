@@ -19,8 +19,8 @@ struct Shot {
 
   /// Share of the pixels that are not black; of the outermost ones only with \a border.
   double covered(bool border = false) const;
-  /// The colours of the pixels that are not black or grey, as captions are.
-  std::set<Color> colors() const;
+  /// The colours, not black or grey as captions are, that so many pixels or more have.
+  std::set<Color> colors(int least = 1) const;
   void save(const std::string& png) const;
 };
 
