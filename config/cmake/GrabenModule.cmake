@@ -45,7 +45,7 @@ endmacro()
 # libraries), the objects of the first one, GRABEN_OBJECTS_OF.
 function(graben_sources out target folder)
   if(GRABEN_OBJECTS_OF)
-    file(GLOB_RECURSE _objects "${GRABEN_OBJECTS_OF}/${folder}/CMakeFiles/${target}.dir/*.o")
+    list(TRANSFORM ARGN REPLACE "(.+)" "${GRABEN_OBJECTS_OF}/${folder}/CMakeFiles/${target}.dir/\\1.o" OUTPUT_VARIABLE _objects)
     set_source_files_properties(${_objects} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
     set(${out} ${_objects} PARENT_SCOPE)
   else()

@@ -64,7 +64,7 @@ TEST_F(Pages, EveryCommandIsShown) {
 /// `--option` stands in no page that no command or script knows.
 TEST_F(Pages, OptionsAreKnown) {
   std::string known;
-  for (const auto& entry : fs::recursive_directory_iterator(GRABEN_SOURCE_DIR "/tools"))
+  for (const auto& entry : fs::directory_iterator(GRABEN_SOURCE_DIR "/tools"))
     if (entry.path().extension() == ".cpp")
       known += run(entry.path().stem().string().substr(std::string("graben_").size()), "--help").output;
   for (const char* script : {"tools/readme_figures", "tools/module_map", "tests/benchmark/compare", "tests/benchmark/accuracy/sweep"})
@@ -163,13 +163,11 @@ TEST_F(Pages, TheMapShowsWhatModulesInclude) {
   std::istringstream edges(content("edges.txt"));
   const std::string map = test::source("config/documentation/modules.svg");
   std::size_t count = 0;
-  for (std::string from, arrow, to; edges >> from >> arrow >> to; ++count)
+  for (std::string from, leads, to; edges >> from >> leads >> to; ++count)
     EXPECT_NE(map.find("<title>" + from + "&#45;&gt;" + to + "</title>"), std::string::npos) << from << " -> " << to << "; tools/module_map draws it";
   EXPECT_GT(count, 10U);
-  std::size_t drawn = 0;
-  for (std::size_t at = map.find("&#45;&gt;"); at != std::string::npos; at = map.find("&#45;&gt;", at + 1))
-    ++drawn;
-  EXPECT_EQ(drawn, count) << "arrows that are no longer true; tools/module_map draws it";
+  const std::regex arrow("<title>[a-z]+&#45;&gt;");
+  EXPECT_EQ(static_cast<std::size_t>(std::distance(std::sregex_iterator(map.begin(), map.end(), arrow), std::sregex_iterator())), count) << "arrows that are no longer true; tools/module_map draws it";
 }
 
 } // namespace
