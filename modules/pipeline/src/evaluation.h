@@ -44,8 +44,8 @@ struct PicksOnSurface {
   std::vector<float> residual; ///< distance to the surface in z units, positive above it; NaN for a pick that is not finite
 };
 
-/// Fills in the picks' distances to the finished mesh, with a warning if it comes near to some of them nowhere, and its field `residual`: for each vertex the mean over the picks not set aside that lie at its
-/// triangles, NaN where there are none.
+/// Fills in the picks' distances to the finished mesh, with a warning if it comes near to some of them nowhere, and its field `residual`: for each vertex the
+/// mean over the picks not set aside that lie at its triangles, NaN where there are none.
 PicksOnSurface evaluatePicks(TriangleMesh& mesh, const JudgingPicks& picks, unsigned threads, ReconstructionReport& report);
 
 } // namespace graben

@@ -114,7 +114,8 @@ private:
     if (cell < 0)
       return false;
     const auto at = static_cast<std::size_t>(cell);
-    return (!allowed_.empty() && allowed_[at] != 0) || (!within_outline_.empty() && within_outline_[at] != 0 && options_.outline.beyond(place) <= kPast * step_);
+    return (!allowed_.empty() && allowed_[at] != 0) ||
+           (!within_outline_.empty() && within_outline_[at] != 0 && options_.outline.beyond(place) <= kPast * step_);
   }
 
   std::vector<Front> picksBesideGaps() const {

@@ -21,9 +21,9 @@ struct FaultRamp {
 
 /// Finds faults through which the picks run as a ramp: a gridder has bridged them, or a tracker was smeared along them (or beds are dragged).
 ///
-/// On each side of a fault, at places along it, a parabola through the picks 5 to 14 mean distances away is carried on to the fault. On a ramp the picks next to the
-/// fault lie off it towards the other side, on both sides; a fault is named where that is so at most places, by more than noise and bends explain and by
-/// a fifth of the step at least. Deterministic for any number of threads. Cost: a few supports of some 600 picks for each fault.
+/// On each side of a fault, at places along it, a parabola through the picks 5 to 14 mean distances away is carried on to the fault. On a ramp the picks next
+/// to the fault lie off it towards the other side, on both sides; a fault is named where that is so at most places, by more than noise and bends explain and
+/// by a fifth of the step at least. Deterministic for any number of threads. Cost: a few supports of some 600 picks for each fault.
 /// \param[in] fit of oriented picks
 std::vector<FaultRamp> findFaultRamps(const LocalFit& fit, const FaultRampOptions& options);
 
