@@ -28,3 +28,10 @@ add_library(graben_warnings INTERFACE)
 target_compile_options(graben_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
   $<$<BOOL:${GRABEN_WERROR}>:-Werror>)
+
+# Debian's libraries are not instrumented. The standard library's assertions are checked too, and Eigen's where the build type leaves them.
+set(GRABEN_SANITIZE "" CACHE STRING "Sanitizers to build with: address,undefined or thread (see tests/run --sanitize); empty: none")
+if(GRABEN_SANITIZE)
+  add_compile_options(-fsanitize=${GRABEN_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS)
+  add_link_options(-fsanitize=${GRABEN_SANITIZE})
+endif()

@@ -5,7 +5,10 @@
 
 #include "graben/core/errors.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 
 namespace graben {
@@ -32,7 +35,7 @@ public:
 
   double number() {
     double value = 0.0;
-    if (!parseField(next(), value))
+    if (!parseField(next(), value) || !std::isfinite(value))
       fail("this is no number");
     return value;
   }
@@ -42,6 +45,14 @@ public:
     if (!parseInteger(next(), value) || value < 0 || value > 2000000000)
       fail("this is no count");
     return static_cast<std::size_t>(value);
+  }
+
+  /// A count of things that take so many characters or more each: what the file has no room for is not believed.
+  std::size_t count(std::size_t characters) {
+    const std::size_t value = count();
+    if (value > (text_.size() - at_) / characters)
+      fail("the file is cut short: it has no room for " + std::to_string(value) + " of these");
+    return value;
   }
 
   void skipTo(std::string_view word) {
@@ -128,7 +139,9 @@ void readTriangles(const std::string& path, SealedMesh& mesh) {
   Words words(path);
   words.skipTo("$Nodes");
   const std::size_t blocks = words.count();
-  mesh.vertices.resize(words.count());
+  constexpr std::size_t of_tag = 2; // a digit and what parts it from the next
+  constexpr std::size_t of_place = 6;
+  mesh.vertices.assign(words.count(of_tag + of_place), Vector3::Constant(std::numeric_limits<double>::quiet_NaN()));
   words.count();
   words.count();
   std::vector<std::size_t> tags;
@@ -136,7 +149,7 @@ void readTriangles(const std::string& path, SealedMesh& mesh) {
     words.count();
     words.count();
     words.count();
-    tags.resize(words.count());
+    tags.resize(words.count(of_tag));
     for (std::size_t& tag : tags) {
       tag = words.count();
       if (tag < 1 || tag > mesh.vertices.size())
@@ -146,6 +159,8 @@ void readTriangles(const std::string& path, SealedMesh& mesh) {
       for (double& x : mesh.vertices[tag - 1])
         x = words.number();
   }
+  if (std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Vector3& p) { return !p.allFinite(); }))
+    words.fail("nodes are missing");
   words.skipTo("$Elements");
   const std::size_t groups = words.count();
   words.count();

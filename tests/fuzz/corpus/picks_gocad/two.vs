@@ -1,0 +1,13 @@
+GOCAD VSet 1
+HEADER {
+name:A
+}
+VRTX 1 0 0 0
+VRTX 2 1 0 0
+VRTX 3 0 1 0
+END
+GOCAD VSet 1
+HEADER {
+name:B
+}
+VRTX 1 0 0 0
