@@ -135,8 +135,8 @@ TEST_P(LocalFitReference, LeavesAPickOutByItsLeverage) {
 
 INSTANTIATE_TEST_SUITE_P(Models, LocalFitReference,
                          testing::Values(LocalModel{1, 18}, LocalModel{1, 60}, LocalModel{2, 25}, LocalModel{2, 140}, LocalModel{3, 40}, LocalModel{3, 300}),
-                         [](const testing::TestParamInfo<LocalModel>& info) {
-                           return "degree_" + std::to_string(info.param.degree) + "_of_" + std::to_string(info.param.neighbors) + "_picks";
+                         [](const testing::TestParamInfo<LocalModel>& tested) {
+                           return "degree_" + std::to_string(tested.param.degree) + "_of_" + std::to_string(tested.param.neighbors) + "_picks";
                          });
 
 } // namespace
