@@ -35,7 +35,7 @@ protected:
 
   pcl::console::VERBOSITY_LEVEL level_;
   SyntheticModel model_ = test::smallModel(SyntheticKind::Conjugate);
-  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud_ = cloudOf(model_.picks());
+  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud_ = cloudOf(model_.picks().points);
   FaultedHorizonReconstruction<pcl::PointXYZ> job_;
   pcl::PolygonMesh mesh_;
 };

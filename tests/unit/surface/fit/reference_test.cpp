@@ -106,9 +106,11 @@ TEST_P(LocalFitReference, HasTheLeverageOfTheEquations) {
   ASSERT_GT(fit.gather(surface, place, GetParam().neighbors, scratch), 0.0);
   const double found = fit.solve(surface, GetParam(), scratch, own);
   const Reference expected(rowsAround(surface), GetParam().degree);
-  for (std::size_t i = 0; i < expected.rows.size(); ++i)
-    if (std::abs(expected.rows[i].u) + std::abs(expected.rows[i].v) < 1e-9)
+  for (std::size_t i = 0; i < expected.rows.size(); ++i) {
+    if (std::abs(expected.rows[i].u) + std::abs(expected.rows[i].v) < 1e-9) {
       EXPECT_NEAR(found, expected.leverage(i), 1e-9);
+    }
+  }
   EXPECT_GT(found, 0.0);
 }
 
