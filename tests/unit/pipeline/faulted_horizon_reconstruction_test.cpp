@@ -81,6 +81,7 @@ TEST_F(FaultedHorizonReconstructionTest, UsesTheIndicesAlone) {
     if ((*cloud_)[i].x < -200.0F)
       west->push_back(static_cast<pcl::index_t>(i));
   job_.setIndices(west);
+  job_.setFaultInputs({}); // to which the surface would be carried on
   job_.reconstruct(mesh_);
   EXPECT_EQ(job_.getReport().picks, west->size());
   for (const Vector3& v : job_.getResult().mesh.vertices)

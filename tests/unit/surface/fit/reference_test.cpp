@@ -64,17 +64,20 @@ protected:
     grid_ = NeighborGrid(picks_.points);
   }
 
-  /// The picks in the disc of that radius about a place, in units of the radius.
-  std::vector<Reference::Row> rowsAround(const LocalSurface& frame) const {
+  /// The picks in the disc of that radius about a place, in units of the radius, that lie in the ball too.
+  std::vector<Reference::Row> rowsAround(const LocalSurface& frame, double ball) const {
     std::vector<Reference::Row> rows;
     for (const Vector3& p : picks_.points) {
       const Vector3 d = p - frame.centre;
       const double u = d.dot(frame.u) / frame.radius, v = d.dot(frame.v) / frame.radius;
-      if (u * u + v * v < 1.0)
+      if (u * u + v * v < 1.0 && d.norm() <= ball)
         rows.push_back({u, v, d.dot(frame.normal), std::pow(1.0 - u * u - v * v, 2)});
     }
     return rows;
   }
+
+  /// Radius of the ball that the picks of the last query were looked for in.
+  static double ballOf(const LocalFit::Scratch& scratch) { return scratch.pace * std::sqrt(static_cast<double>(scratch.count)); }
 
   test::Oriented picks_;
   TangentPlanes planes_;
@@ -85,13 +88,14 @@ protected:
 TEST_P(LocalFitReference, HasTheCoefficientsOfTheEquations) {
   const LocalFit fit(grid_, planes_, faults_, 15.0);
   LocalFit::Scratch scratch;
-  for (const Vector3& place : {Vector3(1.0, 2.0, 0.4), Vector3(-7.3, 4.1, -2.0), Vector3(19.0, -18.5, -8.0)}) {
+  for (const std::size_t pick : {std::size_t{3300}, std::size_t{1700}, std::size_t{40}}) {
+    const Vector3& place = picks_.points[pick];
     const Vector3 normal = Vector3(0.1, -0.2, 1.0).normalized();
     LocalSurface surface = frameAt(place, normal);
     ASSERT_GT(fit.gather(surface, place, GetParam().neighbors, scratch), 0.0);
     fit.solve(surface, GetParam(), scratch);
     ASSERT_TRUE(surface.valid);
-    const Reference expected(rowsAround(surface), GetParam().degree);
+    const Reference expected(rowsAround(surface, ballOf(scratch)), GetParam().degree);
     for (Eigen::Index k = 0; k < expected.coefficients.size(); ++k)
       EXPECT_NEAR(surface.coefficients[static_cast<std::size_t>(k)], expected.coefficients[k], 1e-8) << "term " << k;
   }
@@ -105,7 +109,7 @@ TEST_P(LocalFitReference, HasTheLeverageOfTheEquations) {
   LocalSurface surface = frameAt(place, Vector3::UnitZ());
   ASSERT_GT(fit.gather(surface, place, GetParam().neighbors, scratch), 0.0);
   const double found = fit.solve(surface, GetParam(), scratch, own);
-  const Reference expected(rowsAround(surface), GetParam().degree);
+  const Reference expected(rowsAround(surface, ballOf(scratch)), GetParam().degree);
   for (std::size_t i = 0; i < expected.rows.size(); ++i) {
     if (std::abs(expected.rows[i].u) + std::abs(expected.rows[i].v) < 1e-9) {
       EXPECT_NEAR(found, expected.leverage(i), 1e-9);
@@ -118,7 +122,7 @@ TEST_P(LocalFitReference, HasTheLeverageOfTheEquations) {
 TEST_P(LocalFitReference, LeavesAPickOutByItsLeverage) {
   LocalSurface surface = frameAt({1.0, 2.0, 0.4}, Vector3::UnitZ());
   surface.radius = 3.0;
-  const Reference all(rowsAround(surface), GetParam().degree);
+  const Reference all(rowsAround(surface, 2.0 * surface.radius), GetParam().degree);
   const auto total = [](const std::vector<Reference::Row>& rows) {
     double sum = 0.0;
     for (const Reference::Row& row : rows)
