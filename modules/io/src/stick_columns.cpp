@@ -91,7 +91,7 @@ public:
   StickColumns byContent(bool parted) {
     StickColumns columns;
     for (std::size_t c = 0; c < sample_.columns.size(); ++c) {
-      if (sample_.isNumber(c))
+      if (sample_.isNumber(c) || sample_.columns.size() == 3)
         numbers_.push_back(c);
       else if (columns.name < 0 && sample_.columns[c].numbers == 0)
         columns.name = static_cast<int>(c);
@@ -100,6 +100,8 @@ public:
     }
     if (numbers_.size() > 3)
       columns.doubt = "x, y and z cannot be told from other columns of numbers";
+    if (numbers_.size() < 3)
+      columns.doubt = "fewer than three columns hold numbers";
     columns.place.assign(numbers_.begin(), numbers_.end());
     std::reverse(columns.sticks.begin(), columns.sticks.end());
     if (!parted && columns.sticks.empty() && columns.node < 0 && columns.flag < 0 && columns.name < 0 && sample_.columns.size() > 3)

@@ -167,6 +167,7 @@ TEST(StickTables, DoNotGuess) {
   const std::string four = rows([](int s, int n, S x, S y, S z) { return x + " " + y + " 0." + of((7 * s + n * n) % 10) + " " + z; });
   EXPECT_THAT(failure(four), HasSubstr("columns of the sticks are not certain"));
   EXPECT_THAT(failure("X,Y,stick\n1,2,1\n3,4,1\n"), HasSubstr("no z"));
+  EXPECT_THAT(failure("a 1 2 3\nb 1 2 c\nb 1 2 c\nb 4 5 c\nb 4 5 c\n"), HasSubstr("fewer than three columns hold numbers"));
 }
 
 TEST(StickTables, LinesWithTracesAreAHorizons) {
