@@ -17,8 +17,11 @@ from .steps import Sampling, sampling
 from .workers import Outcome, in_this_process, on_dask, on_processes
 
 #: Columns of Ensemble.throws. x y z along throw: of the surface from the picks as given, see THROW_TYPE; p10 p50 p90: a tenth, a half, nine tenths of the
-#: realizations have no greater throw; mean, deviation: of the realizations; count: realizations that have a throw there. All throws in z units.
-ENSEMBLE_TYPE = np.dtype([(name, "f8") for name in ("x", "y", "z", "along", "throw", "p10", "p50", "p90", "mean", "deviation")] + [("count", "i8")])
+#: realizations have no greater throw; mean, deviation: of the realizations; surface_deviation: standard deviation that reconstruct reckons from the picks as
+#: given, which also holds what a surface misses of bends between the picks, as realizations do not; count: realizations that have a throw there. All throws in
+#: z units.
+ENSEMBLE_TYPE = np.dtype([(name, "f8") for name in ("x", "y", "z", "along", "throw", "p10", "p50", "p90", "mean", "deviation", "surface_deviation")]
+                         + [("count", "i8")])
 
 _USED = ("voxel_size", "rho", "delta", "zone_width", "fault_reach", "neighbors")
 
@@ -229,6 +232,7 @@ def _throw_table(rows: np.ndarray, quantiles: Quantiles, moments: Moments) -> np
     for name, share in (("p10", 0.1), ("p50", 0.5), ("p90", 0.9)):
         table[name] = quantiles.at(share)
     table["mean"], table["deviation"], table["count"] = moments.mean, moments.deviation, moments.count
+    table["surface_deviation"] = rows["deviation"]
     return table
 
 
