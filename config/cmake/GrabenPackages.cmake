@@ -1,4 +1,5 @@
-# Debian packages, made by `cpack` in the build folder: graben (commands and documents) and libgraben-dev (headers and libraries to build with).
+# Debian packages, made by `cpack` in the build folder: graben (commands and documents), libgraben-dev (headers and libraries to build with) and, with
+# GRABEN_BUILD_PYTHON, python3-graben.
 file(STRINGS package.xml _maintainer REGEX "<maintainer")
 string(REGEX REPLACE ".*email=\"([^\"]+)\">([^<]+)<.*" "\\2 <\\1>" CPACK_PACKAGE_CONTACT "${_maintainer}")
 file(STRINGS package.xml _summary REGEX "<description>")
@@ -27,9 +28,24 @@ if(BUILD_SHARED_LIBS)
   string(PREPEND CPACK_DEBIAN_HEADERS_PACKAGE_DEPENDS "graben (= ${PROJECT_VERSION}), ")
 endif()
 
+if(GRABEN_BUILD_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  string(REGEX REPLACE "^3\\." "" _minor "${GRABEN_PYTHON_VERSION}") # the compiled part is for one minor version
+  math(EXPR _next_minor "${_minor} + 1")
+  set(_python "python3 (>= ${GRABEN_PYTHON_VERSION}), python3 (<< 3.${_next_minor})")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-graben)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS TRUE)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${_python}, python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-distributed")
+endif()
+
 include(CPack)
 cpack_add_component_group(commands DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}: the commands.")
 cpack_add_component_group(headers DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}: the PCL classes, to build programs with.")
 cpack_add_component(runtime GROUP commands)
 cpack_add_component(documentation GROUP commands)
 cpack_add_component(development GROUP headers)
+if(GRABEN_BUILD_PYTHON)
+  cpack_add_component(python DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION_SUMMARY}: import graben, and graben_ensemble.")
+endif()

@@ -233,7 +233,8 @@ def reconstruct(
     clearance : float, x, y units
         Picks nearer to a fault than this are left out; default 0.
     extent : 'data', 'hull', path of polygons, or list of rings (k, 2)
-        What the surface covers: what the picks cover (default), all that lies between them on the map, or an area in which it is whole and beyond which it ends.
+        What the surface covers: what the picks cover (default), all that lies between them on the map, or an area in which it is whole and beyond which
+        it ends.
     fill_holes : float, x, y units, or 'all'
         Holes among the picks no wider than this are covered too; default 0.
     extend_faults : 'auto', 'off' or float, x, y units
@@ -284,7 +285,8 @@ def reconstruct(
     extent = os.fspath(extent) if isinstance(extent, os.PathLike) else extent
     said = words(
         dict(voxel_size=voxel_size, neighbors=neighbors, rho=rho, delta=delta, flip_angle=flip_angle, zone_width=zone_width, fault_reach=fault_reach,
-             clearance=clearance, extent=extent if rings is None else None, fill_holes=fill_holes, extend_faults=extend_faults, fault_smoothing=fault_smoothing, fault_dip=fault_dip, fit=fit,
+             clearance=clearance, extent=extent if rings is None else None, fill_holes=fill_holes, extend_faults=extend_faults,
+             fault_smoothing=fault_smoothing, fault_dip=fault_dip, fit=fit,
              signed_distance=signed_distance, orientation=orientation, z_scale=z_scale, z_positive=z_positive, fault_z_positive=fault_z_positive,
              units_as_given=units_as_given, throw_interval=throw_interval, skip=skip, threads=threads, memory_limit=memory_limit), lists=("skip",))
     if realizations != 0 and not 4 <= realizations <= 1000:
