@@ -28,8 +28,25 @@ bool isThere(const fs::path& file) {
   return fs::exists(fs::symlink_status(file, error));
 }
 
-/// A file's name, and no way into another folder.
-bool isPlainName(const std::string& name) { return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos; }
+/// A file's name, perhaps in folders below, and no way out of the folder.
+bool isNameBelow(const std::string& name) {
+  const fs::path path = name;
+  const auto is_plain = [](const fs::path& part) { return !part.empty() && part != "." && part != ".."; };
+  return !name.empty() && path.is_relative() && std::all_of(path.begin(), path.end(), is_plain);
+}
+
+/// The first of the folders on the way to a name that is there and no folder of its own, such as a file or a link; empty if there is none.
+fs::path obstacle(const fs::path& folder, const std::string& name) {
+  fs::path below;
+  for (const fs::path& part : fs::path(name).parent_path()) {
+    below /= part;
+    std::error_code error;
+    const fs::file_status status = fs::symlink_status(folder / below, error);
+    if (fs::exists(status) && !fs::is_directory(status))
+      return below;
+  }
+  return {};
+}
 
 void writeText(const fs::path& file, const std::string& text) {
   AtomicFile out(file.string());
@@ -44,11 +61,19 @@ std::string manifestOf(const std::set<std::string>& names) {
   return text;
 }
 
-std::set<std::string> filesIn(const fs::path& folder) {
+/// What is no folder, by its name seen from \a folder.
+std::set<std::string> filesBelow(const fs::path& folder) {
   std::set<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    names.insert(entry.path().filename().string());
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (!fs::is_directory(entry.symlink_status()))
+      names.insert(entry.path().lexically_relative(folder).generic_string());
   return names;
+}
+
+/// Folders that held the file and hold nothing any longer.
+void removeEmptyFolders(const fs::path& folder, const std::string& name) {
+  for (fs::path below = fs::path(name).parent_path(); !below.empty() && ::rmdir((folder / below).c_str()) == 0;)
+    below = below.parent_path();
 }
 
 /// What folders for files that are not yet in place begin with on this machine.
@@ -56,6 +81,13 @@ std::string stagingPrefix() {
   char host[256] = "";
   ::gethostname(host, sizeof(host) - 1);
   return std::string(".graben-") + host;
+}
+
+void makeFolderOf(const fs::path& file) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error)
+    throw WriteError(file.parent_path().string(), "the folder cannot be made: " + error.message());
 }
 
 void move(const fs::path& from, const fs::path& to) {
@@ -91,7 +123,8 @@ FileSet::~FileSet() {
 /// What runs that were killed left behind.
 void FileSet::removeLeftovers() const {
   const std::string start = stagingPrefix() + ".part-";
-  for (const std::string& name : filesIn(folder_)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
+    const std::string name = entry.path().filename().string();
     if (name.rfind(start, 0) != 0)
       continue;
     const long process = std::strtol(name.c_str() + start.size(), nullptr, 10);
@@ -109,7 +142,7 @@ std::set<std::string> FileSet::namesIn(const std::string& folder, const FileSetN
     return result;
   result.insert(names.manifest);
   while (std::getline(manifest, line))
-    if (isPlainName(line) && isRegular(fs::path(folder) / line))
+    if (isNameBelow(line) && obstacle(folder, line).empty() && isRegular(fs::path(folder) / line))
       result.insert(line);
   return result;
 }
@@ -117,20 +150,24 @@ std::set<std::string> FileSet::namesIn(const std::string& folder, const FileSetN
 std::vector<std::string> FileSet::notOfTheSet(const std::string& folder, const FileSetNames& names, const std::vector<std::string>& wanted) {
   const std::set<std::string> own = namesIn(folder, names);
   std::vector<std::string> result;
-  for (const std::string& name : wanted)
-    if (own.count(name) == 0 && isThere(fs::path(folder) / name))
+  for (const std::string& name : wanted) {
+    const fs::path before = obstacle(folder, name);
+    if (!before.empty())
+      result.push_back(before.string());
+    else if (own.count(name) == 0 && isThere(fs::path(folder) / name))
       result.push_back(name);
+  }
   return result;
 }
 
 WriteError FileSet::inPlace(const IoError& error) const {
-  return {(fs::path(told_folder_) / fs::path(error.file()).filename()).string(), error.reason()};
+  return {(fs::path(told_folder_) / fs::path(error.file()).lexically_relative(staging())).string(), error.reason()};
 }
 
 std::vector<std::string> FileSet::commit() {
   const fs::path folder = folder_;
   const fs::path from = staging();
-  std::set<std::string> files = filesIn(from);
+  std::set<std::string> files = filesBelow(from);
   files.insert(names_.manifest);
   const std::vector<std::string> result(files.begin(), files.end());
   const std::vector<std::string> foreign = notOfTheSet(folder_, names_, result);
@@ -148,14 +185,20 @@ std::vector<std::string> FileSet::commit() {
 
   const auto undisturbed = holdUnfinishedFiles();
   committed_ = true;
+  for (const std::string& name : result)
+    makeFolderOf(folder / name);
   move(next, folder / names_.manifest);
   move(unsealed, folder / names_.seal);
   for (const std::string& name : result)
     if (name != names_.seal && name != names_.manifest)
       move(from / name, folder / name);
-  for (const std::string& name : former)
-    if (files.count(name) == 0 && ::unlink((folder / name).c_str()) != 0 && errno != ENOENT)
+  for (const std::string& name : former) {
+    if (files.count(name) != 0)
+      continue;
+    if (::unlink((folder / name).c_str()) != 0 && errno != ENOENT)
       throw WriteError((folder / name).string(), "is from the former run and cannot be removed; run it again");
+    removeEmptyFolders(folder, name);
+  }
   move(from / names_.manifest, folder / names_.manifest);
   move(from / names_.seal, folder / names_.seal);
   return result;

@@ -72,6 +72,34 @@ TEST(FileSet, refusesFilesThatAreNotFromAFormerSet) {
   EXPECT_THAT(namesOf(folder), ElementsAre("one", "seal", "set.manifest", "two"));
 }
 
+TEST(FileSet, keepsFilesInFoldersBelow) {
+  const TempFolder temp;
+  const std::string folder = temp.path("r");
+  const auto write = [&](const std::vector<std::string>& names) {
+    FileSet set(folder, kNames);
+    for (const std::string& name : names) {
+      fs::create_directories(fs::path(set.staging() + "/" + name).parent_path());
+      put(set.staging(), name, name);
+    }
+    put(set.staging(), "seal", "whole");
+    return set.commit();
+  };
+  EXPECT_THAT(write({"blocks/a", "blocks/b", "x/y/z"}), ElementsAre("blocks/a", "blocks/b", "seal", "set.manifest", "x/y/z"));
+  put(folder, "blocks/mine", "mine");
+  write({"blocks/a"});
+  EXPECT_THAT(namesOf(folder), ElementsAre("blocks", "seal", "set.manifest"));
+  EXPECT_THAT(namesOf(folder + "/blocks"), ElementsAre("a", "mine"));
+  EXPECT_THROW(write({"blocks/mine"}), WriteError);
+  EXPECT_EQ(contentOf(folder + "/blocks/mine"), "mine");
+  fs::create_directory(temp.path("elsewhere"));
+  put(temp.path("elsewhere"), "one", "mine");
+  fs::create_directory_symlink(temp.path("elsewhere"), folder + "/link");
+  EXPECT_THROW(write({"link/two"}), WriteError) << "a link leads out of the folder";
+  std::ofstream(folder + "/set.manifest", std::ios::app) << "link/one\n../elsewhere/one\n";
+  write({"blocks/a"});
+  EXPECT_THAT(namesOf(temp.path("elsewhere")), ElementsAre("one"));
+}
+
 TEST(FileSet, takesALinkForTheOwnersFile) {
   const TempFolder temp;
   const std::string folder = temp.path("r");
@@ -92,7 +120,7 @@ TEST(FileSet, manifestCannotNameFilesElsewhere) {
   temp.write("mine", "mine");
   fs::create_directory(folder + "/below");
   put(folder + "/below", "mine", "mine");
-  std::ofstream(folder + "/set.manifest", std::ios::app) << "../mine\nbelow\nbelow/mine\n.\n..\n\n";
+  std::ofstream(folder + "/set.manifest", std::ios::app) << "../mine\nbelow\nbelow/../below/mine\nbelow/../../mine\n.\n..\n\n";
   writeSet(folder, {"two"});
   EXPECT_EQ(contentOf(temp.path("mine")), "mine");
   EXPECT_EQ(contentOf(folder + "/below/mine"), "mine");

@@ -17,7 +17,7 @@ struct FileSetNames {
   std::string incomplete; ///< what the seal holds while files are being exchanged
 };
 
-/// Files that are kept in a folder, beside those of its owner, and are replaced all at once.
+/// Files that are kept in a folder and in folders below it, beside those of its owner, and are replaced all at once.
 ///
 /// The files are written into a new folder, staging(), in the folder itself; commit() puts them in place of the former set, in milliseconds. Until then,
 /// and if it is never called, the former set stands as it was. Of what the folder held before, only regular files that the former set's manifest names
@@ -32,11 +32,11 @@ public:
   FileSet(const FileSet&) = delete;
   FileSet& operator=(const FileSet&) = delete;
 
-  /// The folder to write the files to, under their final names.
+  /// The folder to write the files to, under their final names; folders may be made in it.
   const std::string& staging() const { return staging_->path(); }
 
   /// Exchanges the former set for what lies in staging().
-  /// \return the names of the files now in place, in order of the alphabet
+  /// \return the names of the files now in place, seen from the folder (`blocks/a.ply`), in order of the alphabet
   /// \throw WriteError if a file would take the place of one that no former set names: then nothing was exchanged; or if a file cannot be renamed
   std::vector<std::string> commit();
 
