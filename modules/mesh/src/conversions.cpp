@@ -206,6 +206,15 @@ void toPolygonMesh(const TriangleMesh& mesh, pcl::PolygonMesh& out) {
     out.polygons[t].vertices.assign(mesh.triangles[t].begin(), mesh.triangles[t].end());
 }
 
+void toPolygonMesh(const SealedMesh& mesh, Index block, const Vector3& origin, pcl::PolygonMesh& out) {
+  if (block < 0 || static_cast<std::size_t>(block) >= mesh.blocks.size())
+    throw InvalidInputError(kStage, "there is no block " + std::to_string(block) + "; the model has " + std::to_string(mesh.blocks.size()));
+  TriangleMesh surface = blockSurface(mesh, block);
+  for (Vector3& p : surface.vertices)
+    p -= origin;
+  toPolygonMesh(surface, out);
+}
+
 TriangleMesh fromPolygonMesh(const pcl::PolygonMesh& mesh) {
   TriangleMesh out;
   const std::vector<Index> vertex = readVertices(mesh.cloud, out);

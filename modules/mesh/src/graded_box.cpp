@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace graben {
 
@@ -22,7 +24,8 @@ public:
     const Vector3 size = o_.box.size();
     if (o_.box.empty() || !(size.minCoeff() > 0.0) || !(o_.size > 0.0))
       throw InvalidInputError("filling a box", "the box is flat or the size of its tetrahedra not positive");
-    while (levels_ < kMostLevels && o_.size * (2 << levels_) < size.minCoeff())
+    const double coarsest = o_.coarsest > 0.0 ? std::min(o_.coarsest, size.minCoeff()) : size.minCoeff();
+    while (levels_ < kMostLevels && o_.size * (2 << levels_) < coarsest)
       ++levels_;
     for (int axis = 0; axis < 3; ++axis) {
       const double cubes = size[axis] / (o_.size * (1 << levels_));
@@ -34,8 +37,15 @@ public:
 
   TetrahedronMesh fill() {
     makeCubes();
-    for (std::size_t from = 0; from < mesh_.cells.size();)
-      from = refineOnce(from);
+    cells_at_.resize(mesh_.vertices.size());
+    std::vector<Index> asked(mesh_.cells.size());
+    for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
+      asked[c] = static_cast<Index>(c);
+      for (const Index v : mesh_.cells[c])
+        cells_at_[static_cast<std::size_t>(v)].push_back(asked[c]);
+    }
+    while (!asked.empty())
+      asked = refine(asked);
     return std::move(mesh_);
   }
 
@@ -124,111 +134,77 @@ private:
     return o_.wanted(corners);
   }
 
-  /// Bisects what is wanted finer among the cells from \a from on, which all others have been asked about, and what has to follow.
-  /// \return where the cells that have not been asked begin
-  std::size_t refineOnce(std::size_t from) {
-    std::vector<std::uint8_t> ask(mesh_.cells.size() - from, 0);
-    parallelFor(ask.size(), 1024, o_.threads, [&](std::size_t i) {
-      const Tetrahedron& cell = mesh_.cells[from + i];
+  /// Bisects those of the cells that are wanted finer, and what has to follow. \return the cells that are new or changed
+  std::vector<Index> refine(const std::vector<Index>& asked) {
+    std::vector<std::uint8_t> finer(asked.size(), 0);
+    parallelFor(asked.size(), 1024, o_.threads, [&](std::size_t i) {
+      const Tetrahedron& cell = mesh_.cells[static_cast<std::size_t>(asked[i])];
       const auto edge = longestEdge(cell);
-      ask[i] = squaredLength(edge[0], edge[1]) > kFinest && wanted(cell) ? 1 : 0;
+      finer[i] = squaredLength(edge[0], edge[1]) > kFinest && wanted(cell) ? 1 : 0;
     });
-    std::vector<Tetrahedron> waiting;
-    for (std::size_t i = 0; i < ask.size(); ++i)
-      if (ask[i] != 0)
-        waiting.push_back(mesh_.cells[from + i]);
-    std::size_t first_new = mesh_.cells.size();
-    changed_.assign(first_new, 0);
-    for (const Tetrahedron& cell : waiting)
-      want(cell);
-    while (!edges_.empty())
-      splitTerminalEdges();
-    // cells in place of bisected ones are new too: they go to the end
-    std::size_t kept = 0;
-    std::vector<Tetrahedron> fresh;
-    for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
-      if (c >= first_new || changed_[c] != 0)
-        fresh.push_back(mesh_.cells[c]);
-      else
-        mesh_.cells[kept++] = mesh_.cells[c];
-    }
-    std::copy(fresh.begin(), fresh.end(), mesh_.cells.begin() + static_cast<std::ptrdiff_t>(kept));
-    return kept;
+    is_fresh_.assign(mesh_.cells.size(), 0);
+    fresh_.clear();
+    for (std::size_t i = 0; i < asked.size(); ++i)
+      if (finer[i] != 0 && is_fresh_[static_cast<std::size_t>(asked[i])] == 0)
+        splitWithLonger(longestEdge(mesh_.cells[static_cast<std::size_t>(asked[i])]));
+    std::sort(fresh_.begin(), fresh_.end());
+    return fresh_;
   }
 
-  void want(const Tetrahedron& cell) {
-    const auto edge = longestEdge(cell);
-    if (edge_places_.insert(edge[0], edge[1], static_cast<Index>(edges_.size())) == static_cast<Index>(edges_.size()))
-      edges_.push_back(edge);
-  }
-
-  /// Edges that are the longest of all cells around them are split; where a cell has a longer one, that one has to go first.
-  void splitTerminalEdges() {
-    std::vector<std::uint8_t> is_end(mesh_.vertices.size(), 0);
-    for (const auto& e : edges_)
-      is_end[static_cast<std::size_t>(e[0])] = is_end[static_cast<std::size_t>(e[1])] = 1;
-    std::vector<std::uint8_t> terminal(edges_.size(), 1);
-    std::vector<std::size_t> touched;
-    for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
-      const Tetrahedron cell = mesh_.cells[c];
-      bool any = false;
-      bool longer_first = false;
-      for (const auto& e : kTetrahedronEdges) {
-        const Index a = cell[static_cast<std::size_t>(e[0])];
-        const Index b = cell[static_cast<std::size_t>(e[1])];
-        if (is_end[static_cast<std::size_t>(a)] == 0 || is_end[static_cast<std::size_t>(b)] == 0)
-          continue;
-        const Index place = edge_places_.find(a, b);
-        if (place == EdgeMap::kNone || static_cast<std::size_t>(place) >= terminal.size())
-          continue;
-        any = true;
-        const auto longest = longestEdge(cell);
-        if (EdgeMap::key(a, b) != EdgeMap::key(longest[0], longest[1])) {
-          terminal[static_cast<std::size_t>(place)] = 0;
-          longer_first = true;
-        }
+  /// An edge is split once it is the longest of all cells around it; where a cell has a longer one, that one goes first.
+  void splitWithLonger(const std::array<Index, 2>& edge) {
+    std::vector<std::array<Index, 2>> waiting(1, edge);
+    while (!waiting.empty()) {
+      const std::array<Index, 2> next = waiting.back();
+      findAround(next);
+      const auto has_longer = [&](Index c) {
+        const auto longest = longestEdge(mesh_.cells[static_cast<std::size_t>(c)]);
+        return EdgeMap::key(longest[0], longest[1]) != EdgeMap::key(next[0], next[1]);
+      };
+      const auto longer = std::find_if(around_.begin(), around_.end(), has_longer);
+      if (longer != around_.end()) {
+        waiting.push_back(longestEdge(mesh_.cells[static_cast<std::size_t>(*longer)]));
+        continue;
       }
-      if (any)
-        touched.push_back(c);
-      if (longer_first)
-        want(cell);
+      split(next);
+      waiting.pop_back();
     }
-    EdgeSplits splits;
-    std::vector<std::array<Index, 2>> left;
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
-      if (i < terminal.size() && terminal[i] != 0) {
-        splits.add(edges_[i][0], edges_[i][1], 0.5);
-        split_ends_.push_back(edges_[i]);
-      } else {
-        left.push_back(edges_[i]);
-      }
-    }
-    split(splits, touched);
-    edges_.clear();
-    edge_places_ = EdgeMap();
-    for (const auto& e : left)
-      if (edge_places_.insert(e[0], e[1], static_cast<Index>(edges_.size())) == static_cast<Index>(edges_.size()))
-        edges_.push_back(e);
   }
 
-  void split(const EdgeSplits& splits, const std::vector<std::size_t>& touched) {
-    std::vector<Tetrahedron> before;
-    before.reserve(touched.size());
-    for (const std::size_t c : touched)
-      before.push_back(mesh_.cells[c]);
-    splitEdges(mesh_, splits, {});
-    for (std::size_t i = 0; i < touched.size(); ++i)
-      if (touched[i] < changed_.size() && before[i] != mesh_.cells[touched[i]])
-        changed_[touched[i]] = 1;
-    for (const auto& e : split_ends_) {
-      const Site& a = sites_[static_cast<std::size_t>(e[0])];
-      const Site& b = sites_[static_cast<std::size_t>(e[1])];
-      const Site middle = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
-      const auto v = sites_.size();
-      sites_.push_back(middle);
-      mesh_.vertices[v] = place(middle);
+  static bool has(const Tetrahedron& cell, Index v) { return cell[0] == v || cell[1] == v || cell[2] == v || cell[3] == v; }
+
+  /// Sets around_ to the cells at an edge; cells that have left its first end are dropped from that one's list.
+  void findAround(const std::array<Index, 2>& edge) {
+    std::vector<Index>& at = cells_at_[static_cast<std::size_t>(edge[0])];
+    const auto has_left = [&](Index c) { return !has(mesh_.cells[static_cast<std::size_t>(c)], edge[0]); };
+    at.erase(std::remove_if(at.begin(), at.end(), has_left), at.end());
+    around_.clear();
+    std::copy_if(at.begin(), at.end(), std::back_inserter(around_), [&](Index c) { return has(mesh_.cells[static_cast<std::size_t>(c)], edge[1]); });
+  }
+
+  /// Bisects all cells of around_, those at the edge.
+  void split(const std::array<Index, 2>& edge) {
+    const Site& a = sites_[static_cast<std::size_t>(edge[0])];
+    const Site& b = sites_[static_cast<std::size_t>(edge[1])];
+    const auto middle = static_cast<Index>(mesh_.vertices.size());
+    addVertex({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
+    cells_at_.emplace_back();
+    for (const Index c : around_) {
+      const auto added = static_cast<Index>(mesh_.cells.size());
+      Tetrahedron& kept = mesh_.cells[static_cast<std::size_t>(c)];
+      Tetrahedron other = kept;
+      std::replace(kept.begin(), kept.end(), edge[1], middle);
+      std::replace(other.begin(), other.end(), edge[0], middle);
+      mesh_.cells.push_back(other);
+      mesh_.marks.push_back({-1, -1, -1, -1});
+      is_fresh_.push_back(0);
+      cells_at_[static_cast<std::size_t>(middle)].push_back(c);
+      for (const Index v : other)
+        cells_at_[static_cast<std::size_t>(v)].push_back(added);
+      for (const Index changed : {c, added})
+        if (std::exchange(is_fresh_[static_cast<std::size_t>(changed)], std::uint8_t{1}) == 0)
+          fresh_.push_back(changed);
     }
-    split_ends_.clear();
   }
 
   const GradedBoxOptions& o_;
@@ -236,10 +212,10 @@ private:
   Site cubes_{};
   TetrahedronMesh mesh_;
   std::vector<Site> sites_;
-  std::vector<std::array<Index, 2>> edges_; ///< to be split
-  EdgeMap edge_places_;
-  std::vector<std::array<Index, 2>> split_ends_;
-  std::vector<std::uint8_t> changed_;
+  std::vector<std::vector<Index>> cells_at_; ///< of each vertex; some may have left it
+  std::vector<Index> around_;
+  std::vector<std::uint8_t> is_fresh_;
+  std::vector<Index> fresh_; ///< cells that are new or changed since the last were asked
 };
 
 } // namespace

@@ -91,7 +91,17 @@ Expansion<4> minor(double ax, double ay, double bx, double by) { return sumOf(pr
 
 Expansion<4> minor(const Vector3& a, const Vector3& b) { return minor(a.x(), a.y(), b.x(), b.y()); }
 
+/// Whether all lie in a plane across an axis, as on the sides of a box.
+bool onAxisPlane(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (a[axis] == b[axis] && a[axis] == c[axis] && a[axis] == d[axis])
+      return true;
+  return false;
+}
+
 int exactOrientation(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
+  if (onAxisPlane(a, b, c, d))
+    return 0;
   const auto ab = minor(a, b), bc = minor(b, c), cd = minor(c, d), da = minor(d, a), ac = minor(a, c), bd = minor(b, d);
   const auto cda = sumOf(sumOf(cd, da), ac);
   const auto dab = sumOf(sumOf(da, ab), bd);

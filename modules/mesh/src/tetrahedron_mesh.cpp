@@ -1,5 +1,7 @@
 #include "graben/mesh/tetrahedron_mesh.h"
 
+#include "graben/core/threads.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -16,6 +18,11 @@ struct Part {
 struct NodeSplit {
   Index a, b, middle;
   Index order; ///< vertices of earlier splits come first, in every cell alike, so that neighbours agree on their common face
+};
+
+/// An edge of a cell, by its place in kTetrahedronEdges, that is split.
+struct CellEdge {
+  Index cell, edge, split;
 };
 
 int cornerOf(const Tetrahedron& cell, Index node) {
@@ -60,20 +67,42 @@ private:
   std::vector<Index> parent_;
 };
 
-struct FaceKey {
-  std::array<Index, 3> vertices;
-  Index number;
-  bool operator<(const FaceKey& other) const { return vertices != other.vertices ? vertices < other.vertices : number < other.number; }
+class SplitFinder {
+public:
+  SplitFinder(const TetrahedronMesh& mesh, const EdgeMap& places) : mesh_(mesh), places_(places), is_end_(mesh.vertices.size(), 0) {}
+
+  void addEnd(Index vertex) { is_end_[static_cast<std::size_t>(vertex)] = 1; }
+
+  /// Where cells have edges that are split, in order of cells.
+  std::vector<CellEdge> find(unsigned threads) const {
+    return joinBlocks<CellEdge>(mesh_.cells.size(), 16384, threads, [&](std::size_t begin, std::size_t end, std::vector<CellEdge>& found) {
+      for (std::size_t c = begin; c < end; ++c)
+        findIn(c, found);
+    });
+  }
+
+private:
+  void findIn(std::size_t cell, std::vector<CellEdge>& found) const {
+    const Tetrahedron v = mesh_.verticesOf(cell);
+    std::array<bool, 4> end;
+    for (std::size_t i = 0; i < 4; ++i)
+      end[i] = is_end_[static_cast<std::size_t>(v[i])] != 0;
+    for (std::size_t e = 0; e < kTetrahedronEdges.size(); ++e) {
+      const auto i = static_cast<std::size_t>(kTetrahedronEdges[e][0]), j = static_cast<std::size_t>(kTetrahedronEdges[e][1]);
+      if (!end[i] || !end[j])
+        continue;
+      const Index split = places_.find(v[i], v[j]);
+      if (split != EdgeMap::kNone)
+        found.push_back({static_cast<Index>(cell), static_cast<Index>(e), split});
+    }
+  }
+
+  const TetrahedronMesh& mesh_;
+  const EdgeMap& places_;
+  std::vector<std::uint8_t> is_end_;
 };
 
 } // namespace
-
-Tetrahedron TetrahedronMesh::verticesOf(std::size_t cell) const {
-  Tetrahedron result = cells[cell];
-  for (Index& corner : result)
-    corner = vertexOf(corner);
-  return result;
-}
 
 void EdgeSplits::add(Index a, Index b, double t) {
   if (a > b) {
@@ -85,9 +114,14 @@ void EdgeSplits::add(Index a, Index b, double t) {
     splits_.push_back({a, b, t});
 }
 
-std::size_t splitEdges(TetrahedronMesh& mesh, const EdgeSplits& edges, const std::vector<std::vector<double>*>& fields) {
+std::size_t splitEdges(TetrahedronMesh& mesh, const EdgeSplits& edges, const std::vector<std::vector<double>*>& fields, unsigned threads) {
   const std::size_t before = mesh.vertices.size();
-  std::vector<std::uint8_t> is_end(before, 0);
+  SplitFinder finder(mesh, edges.places_);
+  for (const EdgeSplits::Split& s : edges.splits_) {
+    finder.addEnd(s.a);
+    finder.addEnd(s.b);
+  }
+  const std::vector<CellEdge> found = finder.find(threads);
   for (const EdgeSplits::Split& s : edges.splits_) {
     const Vector3 a = mesh.vertices[static_cast<std::size_t>(s.a)];
     const Vector3 b = mesh.vertices[static_cast<std::size_t>(s.b)];
@@ -96,7 +130,6 @@ std::size_t splitEdges(TetrahedronMesh& mesh, const EdgeSplits& edges, const std
       if (a[axis] == b[axis])
         p[axis] = a[axis];
     mesh.vertices.push_back(p);
-    is_end[static_cast<std::size_t>(s.a)] = is_end[static_cast<std::size_t>(s.b)] = 1;
   }
   const auto add_node = [&](Index a, Index b, Index split) {
     const EdgeSplits::Split& s = edges.splits_[static_cast<std::size_t>(split)];
@@ -121,27 +154,17 @@ std::size_t splitEdges(TetrahedronMesh& mesh, const EdgeSplits& edges, const std
       add_node(a, b, split);
     return node;
   };
-  const std::size_t cells = mesh.cells.size();
   std::vector<NodeSplit> splits;
   std::vector<Part> parts;
-  for (std::size_t c = 0; c < cells; ++c) {
+  for (std::size_t first = 0, last = 0; first < found.size(); first = last) {
     splits.clear();
+    const auto c = static_cast<std::size_t>(found[first].cell);
     const Tetrahedron nodes = mesh.cells[c];
-    const Tetrahedron v = mesh.verticesOf(c);
-    std::array<bool, 4> end;
-    for (std::size_t i = 0; i < 4; ++i)
-      end[i] = is_end[static_cast<std::size_t>(v[i])] != 0;
-    for (const auto& e : kTetrahedronEdges) {
-      const auto i = static_cast<std::size_t>(e[0]);
-      const auto j = static_cast<std::size_t>(e[1]);
-      if (!end[i] || !end[j])
-        continue;
-      const Index split = edges.places_.find(v[i], v[j]);
-      if (split != EdgeMap::kNone)
-        splits.push_back({nodes[i], nodes[j], middle(nodes[i], nodes[j], split), split});
+    for (; last < found.size() && found[last].cell == found[first].cell; ++last) {
+      const auto& e = kTetrahedronEdges[static_cast<std::size_t>(found[last].edge)];
+      const Index a = nodes[static_cast<std::size_t>(e[0])], b = nodes[static_cast<std::size_t>(e[1])];
+      splits.push_back({a, b, middle(a, b, found[last].split), found[last].split});
     }
-    if (splits.empty())
-      continue;
     std::sort(splits.begin(), splits.end(), [](const NodeSplit& a, const NodeSplit& b) { return a.order < b.order; });
     parts.assign(1, {nodes, mesh.marks[c]});
     for (const NodeSplit& split : splits)
@@ -154,26 +177,6 @@ std::size_t splitEdges(TetrahedronMesh& mesh, const EdgeSplits& edges, const std
     }
   }
   return before;
-}
-
-CellNeighbors::CellNeighbors(const TetrahedronMesh& mesh) : behind_(4 * mesh.cells.size(), kOutside) {
-  std::vector<FaceKey> faces(behind_.size());
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const Tetrahedron v = mesh.verticesOf(c);
-    for (std::size_t f = 0; f < 4; ++f) {
-      FaceKey& key = faces[4 * c + f];
-      for (std::size_t i = 0; i < 3; ++i)
-        key.vertices[i] = v[static_cast<std::size_t>(kTetrahedronFaces[f][i])];
-      std::sort(key.vertices.begin(), key.vertices.end());
-      key.number = static_cast<Index>(4 * c + f);
-    }
-  }
-  std::sort(faces.begin(), faces.end());
-  for (std::size_t i = 0; i + 1 < faces.size(); ++i)
-    if (faces[i].vertices == faces[i + 1].vertices) {
-      behind_[static_cast<std::size_t>(faces[i].number)] = faces[i + 1].number;
-      behind_[static_cast<std::size_t>(faces[i + 1].number)] = faces[i].number;
-    }
 }
 
 Points tearOpen(TetrahedronMesh& mesh) {

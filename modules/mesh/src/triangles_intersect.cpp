@@ -1,6 +1,7 @@
 #include "graben/mesh/predicates.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace graben {
 
@@ -79,6 +80,38 @@ bool anyEdgeMeets(const Points& points, const Triangle& edges_of, const Triangle
   return false;
 }
 
+/// The axes a triangle is seen largest along; any two where it has no area.
+std::array<int, 2> widestAxes(const Vector3& a, const Vector3& b, const Vector3& c) {
+  const Vector3 u = b - a, v = c - a;
+  const double x = std::abs(u.y() * v.z() - u.z() * v.y()), y = std::abs(u.z() * v.x() - u.x() * v.z()), z = std::abs(u.x() * v.y() - u.y() * v.x());
+  if (x >= y && x >= z)
+    return {1, 2};
+  return y >= z ? std::array<int, 2>{2, 0} : std::array<int, 2>{0, 1};
+}
+
+/// True if, seen along an axis, a line through an edge of the one parts it from all corners of the other that it does not share with that edge: then the
+/// two meet in shared corners only, whatever is true in space. A quick look that settles nearly all neighbours in one plane.
+bool partedByEdgeOf(const Points& points, const Triangle& edges_of, const Triangle& other, const std::array<int, 2>& axes) {
+  const auto flat = [&](Index i) {
+    const Vector3& p = points[static_cast<std::size_t>(i)];
+    return Flat(p[axes[0]], p[axes[1]]);
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Index from = edges_of[i], to = edges_of[(i + 1) % 3];
+    const int mine = orientation(flat(from), flat(to), flat(edges_of[(i + 2) % 3]));
+    const auto is_beyond = [&](Index v) { return v == from || v == to || orientation(flat(from), flat(to), flat(v)) == -mine; };
+    if (mine != 0 && std::all_of(other.begin(), other.end(), is_beyond))
+      return true;
+  }
+  return false;
+}
+
+bool seenApart(const Points& points, const Triangle& a, const Triangle& b) {
+  const auto at = [&points](Index i) -> const Vector3& { return points[static_cast<std::size_t>(i)]; };
+  const auto axes = widestAxes(at(a[0]), at(a[1]), at(a[2]));
+  return partedByEdgeOf(points, a, b, axes) || partedByEdgeOf(points, b, a, axes);
+}
+
 /// Turned so that its shared corners come first.
 Triangle sharedFirst(const Triangle& t, const Triangle& other, std::size_t& shared) {
   Triangle turned;
@@ -114,6 +147,8 @@ bool trianglesIntersect(const Points& points, const Triangle& a, const Triangle&
   const Triangle other = sharedFirst(b, a, shared);
   if (shared == 3)
     return true;
+  if (seenApart(points, a, b))
+    return false;
   if (shared == 2)
     return foldedOnEdge(points, mine, other[2]);
   if (shared == 1)

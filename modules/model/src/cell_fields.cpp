@@ -1,6 +1,6 @@
 #include "cell_fields.h"
 
-#include "graben/mesh/predicates.h"
+#include "graben/core/threads.h"
 
 #include <Eigen/Geometry>
 
@@ -23,31 +23,35 @@ public:
   void run() {
     if (cut_.warp > 0.0)
       warp();
-    do
-      snap();
-    while (splitOnce());
+    while (splitOnce()) {
+    }
   }
 
 private:
   double at(Index node) const { return field_[static_cast<std::size_t>(node)]; }
 
-  std::vector<Crossing> crossings() const {
-    std::vector<Crossing> found;
-    for (const Tetrahedron& cell : mesh_.cells) {
-      bool below = false, above = false;
-      for (const Index node : cell) {
-        below |= at(node) < 0.0;
-        above |= at(node) > 0.0;
-      }
-      if (!below || !above)
-        continue;
-      for (const auto& e : kTetrahedronEdges) {
-        const Index a = std::min(cell[static_cast<std::size_t>(e[0])], cell[static_cast<std::size_t>(e[1])]);
-        const Index b = std::max(cell[static_cast<std::size_t>(e[0])], cell[static_cast<std::size_t>(e[1])]);
-        if (at(a) * at(b) < 0.0 && (!cut_.along || cut_.along(a, b)))
-          found.push_back({a, b, at(a) / (at(a) - at(b))});
-      }
+  void crossingsIn(const Tetrahedron& cell, std::vector<Crossing>& found) const {
+    bool below = false, above = false;
+    for (const Index node : cell) {
+      below |= at(node) < 0.0;
+      above |= at(node) > 0.0;
     }
+    if (!below || !above)
+      return;
+    for (const auto& e : kTetrahedronEdges) {
+      const Index a = std::min(cell[static_cast<std::size_t>(e[0])], cell[static_cast<std::size_t>(e[1])]);
+      const Index b = std::max(cell[static_cast<std::size_t>(e[0])], cell[static_cast<std::size_t>(e[1])]);
+      if (at(a) * at(b) < 0.0 && (!cut_.along || cut_.along(a, b)))
+        found.push_back({a, b, at(a) / (at(a) - at(b))});
+    }
+  }
+
+  std::vector<Crossing> crossings() const {
+    std::vector<Crossing> found =
+      joinBlocks<Crossing>(mesh_.cells.size(), 16384, cut_.threads, [&](std::size_t begin, std::size_t end, std::vector<Crossing>& here) {
+        for (std::size_t c = begin; c < end; ++c)
+          crossingsIn(mesh_.cells[c], here);
+      });
     const auto before = [](const Crossing& x, const Crossing& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
     std::sort(found.begin(), found.end(), before);
     found.erase(std::unique(found.begin(), found.end(), [](const Crossing& x, const Crossing& y) { return x.a == y.a && x.b == y.b; }), found.end());
@@ -55,15 +59,18 @@ private:
   }
 
   bool splitOnce() {
+    const std::vector<Crossing> found = crossings();
+    snap(found);
     EdgeSplits splits;
-    for (const Crossing& c : crossings())
-      splits.add(mesh_.vertexOf(c.a), mesh_.vertexOf(c.b), c.t);
+    for (const Crossing& c : found)
+      if (at(c.a) * at(c.b) < 0.0)
+        splits.add(mesh_.vertexOf(c.a), mesh_.vertexOf(c.b), c.t);
     if (splits.empty())
       return false;
     std::vector<std::vector<double>*> fields = cut_.others;
     fields.push_back(&field_);
     const std::size_t nodes_before = mesh_.node_vertex.size();
-    splitEdges(mesh_, splits, fields);
+    splitEdges(mesh_, splits, fields, cut_.threads);
     settleZeros(nodes_before);
     return true;
   }
@@ -83,8 +90,8 @@ private:
         field_[n] = 0.0;
   }
 
-  void snap() {
-    for (const Crossing& c : crossings()) {
+  void snap(const std::vector<Crossing>& found) {
+    for (const Crossing& c : found) {
       if (c.t < cut_.snap && (!cut_.may_snap || cut_.may_snap(c.a)))
         snapped_.push_back(c.a);
       else if (c.t > 1.0 - cut_.snap && (!cut_.may_snap || cut_.may_snap(c.b)))

@@ -20,6 +20,7 @@ struct LevelCut {
   double warp = 0.0; ///< share of an edge within which its free end is moved to the crossing instead of cutting a sliver off
   double snap = 0.0; ///< the same for an end that must stay: it counts as on the level
   std::function<bool(Index node)> may_snap;    ///< empty: all
+  unsigned threads = 0;
 };
 
 /// Cuts until no edge has its ends on different sides: afterwards no tetrahedron has corners of both signs.

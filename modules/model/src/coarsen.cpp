@@ -21,23 +21,24 @@ constexpr double kOffSurface = 0.06; // sizes; how far a vertex that goes may li
 constexpr double kLong = 2.2;       // sizes; no edge grows beyond, nor beyond what is there
 constexpr double kTurn = 0.8;       // cosine of what a face may turn from the mean of its part
 constexpr double kFlattest = 1e-4;  // of a tetrahedron: volume over its longest edge cubed
-constexpr double kGood = 25.0 * 3.14159265358979 / 180.0; // angles above it need not be kept
+constexpr double kGood = 0.42262; // sharpness of 25 degrees; what is above it need not be kept
+constexpr double kWorth = 0.46947; // sharpness of 28 degrees; vertices of faces below it are shifted
 constexpr int kRounds = 4;
 
 using Points3 = std::array<Vector3, 3>;
 
-double smallestAngle(const Points3& p) {
-  double smallest = 4.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3 a = p[(i + 1) % 3] - p[i], b = p[(i + 2) % 3] - p[i];
-    smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)));
-  }
-  return smallest;
+/// Sine of a triangle's smallest angle, which lies between its two longer sides: at most that of 60 degrees.
+double sharpness(const Points3& p) {
+  const Vector3 a = p[1] - p[0], b = p[2] - p[1], c = p[0] - p[2];
+  const double aa = a.squaredNorm(), bb = b.squaredNorm(), cc = c.squaredNorm();
+  const double longer = std::max({aa * bb, bb * cc, cc * aa});
+  return longer > 0.0 ? std::sqrt(a.cross(b).squaredNorm() / longer) : 0.0;
 }
 
 class Coarsener {
 public:
-  Coarsener(LabelledCells& cells, const CoarsenOptions& options) : cells_(cells), o_(options), faced_(cells, options.box) {}
+  Coarsener(LabelledCells& cells, const CellNeighbors& neighbors, const CoarsenOptions& options)
+    : cells_(cells), o_(options), faced_(cells, neighbors, options.box) {}
 
   std::size_t run() {
     std::size_t all = 0;
@@ -61,7 +62,7 @@ private:
 
   /// Short edges, and the shortest of each badly shaped triangle.
   std::vector<Candidate> candidates() const {
-    constexpr double kBad = 20.0 * 3.14159265358979 / 180.0;
+    constexpr double kBad = 0.34202; // 20 degrees
     std::vector<std::uint64_t> edges;
     for (std::size_t c = 0; c < faced_.part.size(); ++c) {
       if (faced_.gone[c] != 0)
@@ -83,7 +84,7 @@ private:
           if (length < kShort * o_.size)
             edges.push_back(EdgeMap::key(v[i], v[(i + 1) % 3]));
         }
-        if (smallestAngle(p) < kBad)
+        if (sharpness(p) < kBad)
           edges.push_back(EdgeMap::key(v[shortest], v[(shortest + 1) % 3]));
       }
     }
@@ -151,7 +152,7 @@ private:
     double worst_before = 4.0, worst_after = 4.0, longest_before = 0.0, longest_after = 0.0;
     std::map<Index, Vector3> mean;
     for (const FanFace& face : fan.faces) {
-      worst_before = std::min(worst_before, smallestAngle({from, faced_.at(face.p), faced_.at(face.q)}));
+      worst_before = std::min(worst_before, sharpness({from, faced_.at(face.p), faced_.at(face.q)}));
       Vector3 normal = faceNormal(gone, face);
       Vector3& sum = mean.emplace(face.part, Vector3::Zero()).first->second;
       sum += normal.dot(sum) < 0.0 ? Vector3(-normal) : normal;
@@ -169,7 +170,7 @@ private:
         return false;
       if (std::abs(after.dot(from - faced_.at(to))) > kOffSurface * o_.size * size)
         return false;
-      worst_after = std::min(worst_after, smallestAngle({faced_.at(to), faced_.at(face.p), faced_.at(face.q)}));
+      worst_after = std::min(worst_after, sharpness({faced_.at(to), faced_.at(face.p), faced_.at(face.q)}));
       longest_after = std::max({longest_after, (faced_.at(face.p) - faced_.at(to)).norm(), (faced_.at(face.q) - faced_.at(to)).norm()});
     }
     if (worst_after < std::min(worst_before, kGood) || longest_after > std::max(longest_before, kLong * o_.size))
@@ -261,9 +262,9 @@ private:
 
   /// Vertices of badly shaped faces move towards the middle of their neighbours, along their surface or wall.
   void shiftVertices() {
-    constexpr double kWorth = 28.0 * 3.14159265358979 / 180.0;
+    const std::vector<std::uint8_t> is_bad = verticesOfBadFaces();
     for (std::size_t v = 0; v < faced_.around.size(); ++v) {
-      if (faced_.around[v].empty())
+      if (is_bad[v] == 0 || faced_.around[v].empty())
         continue;
       const auto vertex = static_cast<Index>(v);
       const FaceFan fan(faced_, vertex);
@@ -278,10 +279,24 @@ private:
     }
   }
 
+  std::vector<std::uint8_t> verticesOfBadFaces() const {
+    std::vector<std::uint8_t> is_bad(faced_.around.size(), 0);
+    for (std::size_t c = 0; c < faced_.part.size(); ++c)
+      for (std::size_t f = 0; f < 4 && faced_.gone[c] == 0; ++f) {
+        if (faced_.part[c][f] < 0)
+          continue;
+        const auto corner = [&](std::size_t i) { return cells_.mesh.cells[c][static_cast<std::size_t>(kTetrahedronFaces[f][i])]; };
+        if (sharpness({faced_.at(corner(0)), faced_.at(corner(1)), faced_.at(corner(2))}) <= kWorth)
+          for (std::size_t i = 0; i < 3; ++i)
+            is_bad[static_cast<std::size_t>(corner(i))] = 1;
+      }
+    return is_bad;
+  }
+
   double worstAngle(const FaceFan& fan, const Vector3& place) const {
     double worst = 4.0;
     for (const FanFace& face : fan.faces)
-      worst = std::min(worst, smallestAngle({place, faced_.at(face.p), faced_.at(face.q)}));
+      worst = std::min(worst, sharpness({place, faced_.at(face.p), faced_.at(face.q)}));
     return worst;
   }
 
@@ -308,7 +323,7 @@ private:
     double off = 0.0;
     for (const FanFace& face : fan.faces) {
       const Vector3 n = faceNormal(vertex, face);
-      const bool over = smallestAngle({target, faced_.at(face.p), faced_.at(face.q)}) > 0.0 && n.norm() > 0.0;
+      const bool over = sharpness({target, faced_.at(face.p), faced_.at(face.q)}) > 0.0 && n.norm() > 0.0;
       off = over ? std::max(off, std::abs(step.dot(n.normalized()))) : off;
     }
     if (off > kOffSurface * o_.size || !(worstAngle(fan, target) > before))
@@ -349,6 +364,8 @@ private:
 
 } // namespace
 
-std::size_t coarsen(LabelledCells& cells, const CoarsenOptions& options) { return Coarsener(cells, options).run(); }
+std::size_t coarsen(LabelledCells& cells, const CellNeighbors& neighbors, const CoarsenOptions& options) {
+  return Coarsener(cells, neighbors, options).run();
+}
 
 } // namespace graben

@@ -14,6 +14,6 @@ struct CoarsenOptions {
 /// Makes the faces between blocks well shaped: short edges collapse and vertices shift along their surface, as long as every tetrahedron around stays
 /// positive (exact predicates), so that surfaces can neither cross nor open. Vertices stay on their lines and surfaces to within a few hundredths of the
 /// size, corners where they are. Deterministic. \return edges collapsed
-std::size_t coarsen(LabelledCells& cells, const CoarsenOptions& options);
+std::size_t coarsen(LabelledCells& cells, const CellNeighbors& neighbors, const CoarsenOptions& options);
 
 } // namespace graben

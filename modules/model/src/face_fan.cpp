@@ -16,7 +16,11 @@ namespace {
 /// What tells parts of surfaces apart.
 using PartKey = std::tuple<Index, Index, Index>;
 
+/// 0 to 5: a face of the box; beyond: what else bounds the model.
 Index wallOf(const LabelledCells& cells, std::size_t cell, int face, const Bounds& box) {
+  const std::int16_t mark = cells.mesh.marks[cell][static_cast<std::size_t>(face)];
+  if (mark < -1)
+    return 6 - mark;
   unsigned walls = ~0U;
   for (const int corner : kTetrahedronFaces[static_cast<std::size_t>(face)])
     walls &= wallsOf(cells.mesh.position(cells.mesh.cells[cell][static_cast<std::size_t>(corner)]), box);
@@ -28,9 +32,8 @@ Index wallOf(const LabelledCells& cells, std::size_t cell, int face, const Bound
 
 } // namespace
 
-FacedCells::FacedCells(LabelledCells& labelled, const Bounds& box) : cells(labelled) {
+FacedCells::FacedCells(LabelledCells& labelled, const CellNeighbors& neighbors, const Bounds& box) : cells(labelled) {
   const TetrahedronMesh& mesh = cells.mesh;
-  const CellNeighbors neighbors(mesh);
   part.assign(mesh.cells.size(), {-1, -1, -1, -1});
   gone.assign(mesh.cells.size(), 0);
   std::map<PartKey, Index> parts;

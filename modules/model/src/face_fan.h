@@ -11,7 +11,7 @@ namespace graben {
 
 /// Faces between blocks while tetrahedra are joined: each has the number of the part of a surface it belongs to.
 struct FacedCells {
-  explicit FacedCells(LabelledCells& labelled, const Bounds& box);
+  FacedCells(LabelledCells& labelled, const CellNeighbors& neighbors, const Bounds& box);
 
   LabelledCells& cells;
   std::vector<std::array<Index, 4>> part;   ///< of the face opposite each corner; -1: inside a block

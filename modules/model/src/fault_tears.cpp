@@ -79,6 +79,7 @@ private:
     level.box = &o_.box;
     level.warp = kWarp;
     level.snap = kSnap;
+    level.threads = o_.threads;
     for (auto& [main, kept] : kept_)
       level.others.push_back(&kept);
     cutAtZero(mesh_, level);

@@ -11,6 +11,9 @@ inline std::int16_t faultMark(std::size_t fault, bool hanging_wall) { return sta
 inline Index faultOf(std::int16_t mark) { return mark / 2; }
 inline bool inHangingWall(std::int16_t mark) { return mark % 2 != 0; }
 
+/// What a face is marked with behind which cells were left out, for what bounds the model there; edge i of the outline has kOutlineMark - i.
+enum BoundaryMark : std::int16_t { kTopMark = -2, kBaseMark = -3, kOutlineMark = -4 };
+
 struct FaultTearOptions {
   Bounds box;
   double size = 0.0; ///< edge of the tetrahedra near faults

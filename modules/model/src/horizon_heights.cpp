@@ -1,7 +1,6 @@
 #include "horizon_heights.h"
 
 #include "graben/core/errors.h"
-#include "graben/core/sort_unique.h"
 #include "graben/core/threads.h"
 #include "graben/mesh/normals.h"
 
@@ -187,35 +186,42 @@ void fillEnclosed(const TetrahedronMesh& mesh, const HeightLookup& lookup, std::
 
 } // namespace
 
-NodeGraph::NodeGraph(const TetrahedronMesh& mesh) {
-  std::vector<std::uint64_t> edges;
-  edges.reserve(3 * mesh.cells.size());
-  constexpr std::size_t kOften = std::size_t{1} << 24;
-  std::size_t unique = 0;
-  for (const Tetrahedron& cell : mesh.cells) {
-    for (const auto& e : kTetrahedronEdges)
-      edges.push_back(EdgeMap::key(cell[static_cast<std::size_t>(e[0])], cell[static_cast<std::size_t>(e[1])]));
-    if (edges.size() > 2 * unique + kOften) {
-      sortUnique(edges);
-      unique = edges.size();
-    }
+NodeGraph::NodeGraph(const TetrahedronMesh& mesh, unsigned threads) {
+  const std::size_t nodes = mesh.node_vertex.size();
+  std::vector<std::size_t> first(nodes + 1, 0); // of the edges from each node to higher ones
+  const auto for_each_edge = [&mesh](const auto& visit) {
+    for (const Tetrahedron& cell : mesh.cells)
+      for (const auto& e : kTetrahedronEdges) {
+        const auto a = static_cast<std::size_t>(cell[static_cast<std::size_t>(e[0])]), b = static_cast<std::size_t>(cell[static_cast<std::size_t>(e[1])]);
+        visit(std::min(a, b), std::max(a, b));
+      }
+  };
+  for_each_edge([&first](std::size_t low, std::size_t) { ++first[low + 1]; });
+  for (std::size_t n = 1; n <= nodes; ++n)
+    first[n] += first[n - 1];
+  std::vector<Index> higher(first[nodes]);
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for_each_edge([&](std::size_t low, std::size_t high) { higher[next[low]++] = static_cast<Index>(high); });
+  parallelFor(nodes, 4096, threads, [&](std::size_t n) { // next: where each node's edges end, now that each is there once
+    const auto begin = higher.begin() + static_cast<std::ptrdiff_t>(first[n]), end = higher.begin() + static_cast<std::ptrdiff_t>(first[n + 1]);
+    std::sort(begin, end);
+    next[n] = static_cast<std::size_t>(std::unique(begin, end) - higher.begin());
+  });
+  starts_.assign(nodes + 1, 0);
+  for (std::size_t n = 0; n < nodes; ++n) {
+    starts_[n + 1] += next[n] - first[n];
+    for (std::size_t i = first[n]; i < next[n]; ++i)
+      ++starts_[static_cast<std::size_t>(higher[i]) + 1];
   }
-  sortUnique(edges);
-  starts_.assign(mesh.node_vertex.size() + 1, 0);
-  for (const std::uint64_t edge : edges) {
-    ++starts_[(edge >> 32) + 1];
-    ++starts_[(edge & 0xffffffffU) + 1];
-  }
-  for (std::size_t n = 1; n < starts_.size(); ++n)
+  for (std::size_t n = 1; n <= nodes; ++n)
     starts_[n] += starts_[n - 1];
-  ends_.resize(2 * edges.size());
-  std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
-  for (const std::uint64_t edge : edges) {
-    const auto a = static_cast<std::size_t>(edge >> 32);
-    const auto b = static_cast<std::size_t>(edge & 0xffffffffU);
-    ends_[next[a]++] = static_cast<Index>(b);
-    ends_[next[b]++] = static_cast<Index>(a);
-  }
+  ends_.resize(starts_[nodes]);
+  std::vector<std::size_t> place(starts_.begin(), starts_.end() - 1);
+  for (std::size_t n = 0; n < nodes; ++n)
+    for (std::size_t i = first[n]; i < next[n]; ++i) {
+      ends_[place[n]++] = higher[i];
+      ends_[place[static_cast<std::size_t>(higher[i])]++] = static_cast<Index>(n);
+    }
 }
 
 HorizonHeights horizonHeights(const TetrahedronMesh& mesh, const Points& inside, const NodeGraph& graph, const TriangleMesh& horizon,

@@ -8,7 +8,7 @@ namespace graben {
 /// Which nodes are joined by an edge; nodes on different sides of a tear are not.
 class NodeGraph {
 public:
-  explicit NodeGraph(const TetrahedronMesh& mesh);
+  explicit NodeGraph(const TetrahedronMesh& mesh, unsigned threads = 0);
   struct Range {
     const Index* first;
     const Index* last;

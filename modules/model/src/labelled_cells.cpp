@@ -39,13 +39,31 @@ std::map<std::pair<Index, Index>, Contact> contactsOf(const LabelledCells& cells
 
 } // namespace
 
+void keepCells(TetrahedronMesh& mesh, const std::vector<std::uint8_t>& kept, const std::function<std::int16_t(std::size_t cell)>& mark, unsigned threads) {
+  const CellNeighbors neighbors(mesh, threads);
+  std::size_t place = 0;
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    if (kept[c] == 0)
+      continue;
+    std::array<std::int16_t, 4> marks = mesh.marks[c];
+    for (int f = 0; f < 4; ++f) {
+      const Index behind = neighbors.behind(c, f);
+      if (behind >= 0 && kept[static_cast<std::size_t>(behind / 4)] == 0)
+        marks[static_cast<std::size_t>(f)] = mark(static_cast<std::size_t>(behind / 4));
+    }
+    mesh.cells[place] = mesh.cells[c];
+    mesh.marks[place++] = marks;
+  }
+  mesh.cells.resize(place);
+  mesh.marks.resize(place);
+}
+
 double LabelledCells::volume(std::size_t cell) const {
   const auto p = [&](std::size_t i) -> const Vector3& { return mesh.position(mesh.cells[cell][i]); };
   return (p(1) - p(0)).cross(p(2) - p(0)).dot(p(3) - p(0)) / 6.0;
 }
 
-void labelBlocks(LabelledCells& cells) {
-  const CellNeighbors neighbors(cells.mesh);
+void labelBlocks(LabelledCells& cells, const CellNeighbors& neighbors) {
   cells.block.assign(cells.layer.size(), -1);
   cells.blocks = 0;
   std::vector<std::size_t> reached;
@@ -72,7 +90,7 @@ void labelBlocks(LabelledCells& cells) {
   }
 }
 
-std::size_t joinSlivers(LabelledCells& cells, double limit) {
+std::size_t joinSlivers(LabelledCells& cells, const CellNeighbors& neighbors, double limit) {
   std::vector<double> volume(static_cast<std::size_t>(cells.blocks), 0.0);
   std::vector<Index> layer(volume.size(), 0);
   for (std::size_t c = 0; c < cells.block.size(); ++c) {
@@ -82,7 +100,6 @@ std::size_t joinSlivers(LabelledCells& cells, double limit) {
   std::vector<std::uint8_t> small(volume.size());
   for (std::size_t b = 0; b < volume.size(); ++b)
     small[b] = volume[b] < limit ? 1 : 0;
-  const CellNeighbors neighbors(cells.mesh);
   std::vector<Index> into(volume.size());
   for (std::size_t b = 0; b < into.size(); ++b)
     into[b] = static_cast<Index>(b);
@@ -125,7 +142,7 @@ std::size_t joinSlivers(LabelledCells& cells, double limit) {
         cells.mesh.marks[c][static_cast<std::size_t>(f)] = -1;
     }
   }
-  labelBlocks(cells);
+  labelBlocks(cells, neighbors);
   return joined;
 }
 

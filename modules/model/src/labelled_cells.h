@@ -2,6 +2,8 @@
 
 #include "graben/mesh/tetrahedron_mesh.h"
 
+#include <functional>
+
 namespace graben {
 
 /// Cells that are told apart by blocks; marks are faultMark().
@@ -15,11 +17,14 @@ struct LabelledCells {
   double volume(std::size_t cell) const;
 };
 
+/// Leaves out the cells that are not \a kept and marks the faces that they leave open with \a mark of the cell left out.
+void keepCells(TetrahedronMesh& mesh, const std::vector<std::uint8_t>& kept, const std::function<std::int16_t(std::size_t cell)>& mark, unsigned threads);
+
 /// Numbers what is connected within a layer without passing a marked face, in the order of its first cell.
-void labelBlocks(LabelledCells& cells);
+void labelBlocks(LabelledCells& cells, const CellNeighbors& neighbors);
 
 /// Gives blocks smaller than \a volume to the neighbour they share most area with, in the same layer's order where they can.
 /// \return how many
-std::size_t joinSlivers(LabelledCells& cells, double volume);
+std::size_t joinSlivers(LabelledCells& cells, const CellNeighbors& neighbors, double volume);
 
 } // namespace graben

@@ -48,9 +48,16 @@ private:
       sealed_.surfaces.push_back({h.name, SealedSurfaceKind::Horizon});
     for (std::size_t f = 0; f < faults_.size(); ++f)
       sealed_.surfaces.push_back({faults_.fault(f).name, SealedSurfaceKind::Fault});
+    if (!o_.outline.empty()) {
+      outline_ = static_cast<Index>(sealed_.surfaces.size());
+      sealed_.surfaces.push_back({"outline", SealedSurfaceKind::Wall});
+    }
   }
 
   Index wallSurface(std::size_t cell, int face) const {
+    const std::int16_t mark = cells_.mesh.marks[cell][static_cast<std::size_t>(face)];
+    if (mark < -1)
+      return mark == kTopMark ? 5 : mark == kBaseMark ? 4 : outline_;
     unsigned walls = ~0U;
     for (const int corner : kTetrahedronFaces[static_cast<std::size_t>(face)])
       walls &= wallsOf(cells_.mesh.position(cells_.mesh.cells[cell][static_cast<std::size_t>(corner)]), o_.box);
@@ -214,6 +221,7 @@ private:
   const BlockModelOptions& o_;
   SealedMesh sealed_;
   std::vector<Parts> parts_; ///< of each triangle
+  Index outline_ = 0;        ///< the surface of walls that are no faces of the box
   std::map<std::pair<Index, Index>, Index> together_;
 };
 

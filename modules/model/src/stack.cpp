@@ -29,9 +29,37 @@ public:
           follow(heights_[k], heights_[other]);
   }
 
+  /// Where neither a horizon nor its neighbours are known within --fill, there is nothing to make it of.
+  void refuseHoles() const {
+    if (o_.fill <= 0.0)
+      return;
+    for (std::size_t k = 0; k < heights_.size(); ++k) {
+      const std::vector<float>& beyond = heights_[k].beyond;
+      const auto is_known_by = [&](std::size_t other, std::size_t n) { return heights_[other].beyond[n] <= static_cast<float>(o_.fill); };
+      std::size_t farthest = beyond.size();
+      for (std::size_t n = 0; n < beyond.size(); ++n)
+        if (!is_known_by(k, n) && atHorizon(k, n) && (k == 0 || !is_known_by(k - 1, n)) && (k + 1 == heights_.size() || !is_known_by(k + 1, n)) &&
+            (farthest == beyond.size() || beyond[n] > beyond[farthest]))
+          farthest = n;
+      if (farthest == beyond.size())
+        continue;
+      const Vector3 place = mesh_.position(static_cast<Index>(farthest)) + o_.report_origin;
+      char text[160];
+      std::snprintf(text, sizeof(text), "there is a hole about x %.10g, y %.10g, up to %.4g from its picks, farther than the fill of %.4g", place.x(),
+                    place.y(), static_cast<double>(beyond[farthest]), o_.fill);
+      throw InvalidInputError("horizon " + horizons_[k].name,
+                              std::string(text) + ", and no neighbour is known there; give more picks, a smaller outline, or a larger fill");
+    }
+  }
+
   void relate(BlockModel& model) {
+    const std::size_t last = horizons_.size() - 1;
     for (std::size_t k = 1; k < horizons_.size(); ++k)
       model.horizons[k].crossing = judgeCrossing(k);
+    if (o_.base_is_last)
+      for (std::size_t k = 0; k < last; ++k)
+        for (std::size_t n = 0; n < heights_[k].height.size(); ++n)
+          heights_[k].height[n] = std::max(heights_[k].height[n], heights_[last].height[n]);
     for (std::size_t k = horizons_.size() - 1; k-- > 0;)
       if (horizons_[k].relation == HorizonRelation::Onlap)
         for (std::size_t n = 0; n < heights_[k].height.size(); ++n)
@@ -103,7 +131,9 @@ private:
         place = mesh_.position(static_cast<Index>(n));
       }
     }
-    if (horizons_[k - 1].relation == HorizonRelation::Conformable && static_cast<double>(crossed) > kClearCrossing * static_cast<double>(seen) &&
+    const bool bounds = (o_.top_is_first && k == 1) || (o_.base_is_last && k + 1 == horizons_.size());
+    const bool may_cross = bounds || horizons_[k - 1].relation != HorizonRelation::Conformable;
+    if (!may_cross && static_cast<double>(crossed) > kClearCrossing * static_cast<double>(seen) &&
         crossed >= kIsland)
       throw CrossingError{k, most, static_cast<double>(crossed) / static_cast<double>(seen), place};
     return most;
@@ -154,6 +184,7 @@ Stack stackHorizons(const TetrahedronMesh& mesh, const NodeGraph& graph, const s
                     const BlockModelOptions& options, BlockModel& model) {
   Stacker stacker(mesh, graph, horizons, heights, options);
   stacker.followNeighbors();
+  stacker.refuseHoles();
   try {
     stacker.relate(model);
   } catch (const Stacker::CrossingError& e) {

@@ -131,5 +131,24 @@ TEST(Conversions, AnEmptyMeshStaysEmpty) {
   EXPECT_TRUE(back.triangles.empty());
 }
 
+TEST(Conversions, ABlockOfAModelIsAClosedPolygonMesh) {
+  SealedMesh model; // two tetrahedra on one face
+  const Vector3 origin(461000.0, 5931000.0, -1700.0);
+  for (const Vector3& p : {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1), Vector3(0, 0, -1)})
+    model.vertices.push_back(origin + p);
+  model.triangles = {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}};
+  model.triangle_patch = {0, 1, 1, 1, 2, 2, 2};
+  model.surfaces = {{"between", SealedSurfaceKind::Horizon}, {"around", SealedSurfaceKind::Wall}};
+  model.patches = {{0, 1, 0}, {1, 0, -1}, {1, 1, -1}};
+  model.blocks.resize(2);
+  pcl::PolygonMesh block;
+  toPolygonMesh(model, 1, origin, block);
+  EXPECT_EQ(block.polygons.size(), 4U);
+  const TriangleMesh back = fromPolygonMesh(block);
+  EXPECT_NEAR(enclosedVolume(back.vertices, back.triangles), 1.0 / 6.0, 1e-7);
+  EXPECT_EQ(back.piece.size(), 4U);
+  EXPECT_THROW(toPolygonMesh(model, 2, origin, block), InvalidInputError);
+}
+
 } // namespace
 } // namespace graben

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "stacks.h"
+#include "support/stacks.h"
 
 #include <algorithm>
 #include <cmath>

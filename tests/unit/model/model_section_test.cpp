@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "stacks.h"
+#include "support/stacks.h"
 
 #include <cmath>
 

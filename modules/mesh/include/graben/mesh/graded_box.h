@@ -13,6 +13,7 @@ struct GradedBoxOptions {
   double size = 0.0; ///< edge of the finest tetrahedra along the axes, in the box's units; positive
   /// Whether a tetrahedron with these corners has to be a fine one. Called from several threads.
   std::function<bool(const std::array<Vector3, 4>& corners)> wanted;
+  double coarsest = 0.0; ///< no edge along an axis is longer; 0: up to 32 sizes
   unsigned threads = 0;
 };
 

@@ -24,11 +24,14 @@ struct TetrahedronMesh {
   Points vertices;
   std::vector<Index> node_vertex;                 ///< vertex of each node
   std::vector<Tetrahedron> cells;                 ///< nodes
-  std::vector<std::array<std::int16_t, 4>> marks; ///< of the face opposite each corner, below zero: none; two neighbours may differ
+  std::vector<std::array<std::int16_t, 4>> marks; ///< of the face opposite each corner; only those from zero on tear, two neighbours may differ
 
   const Vector3& position(Index node) const { return vertices[static_cast<std::size_t>(vertexOf(node))]; }
   Index vertexOf(Index node) const { return node_vertex[static_cast<std::size_t>(node)]; }
-  Tetrahedron verticesOf(std::size_t cell) const;
+  Tetrahedron verticesOf(std::size_t cell) const {
+    const Tetrahedron& nodes = cells[cell];
+    return {vertexOf(nodes[0]), vertexOf(nodes[1]), vertexOf(nodes[2]), vertexOf(nodes[3])};
+  }
 };
 
 /// Edges to be split, and where: a new vertex for each.
@@ -39,7 +42,7 @@ public:
   bool empty() const { return splits_.empty(); }
 
 private:
-  friend std::size_t splitEdges(TetrahedronMesh& mesh, const EdgeSplits& splits, const std::vector<std::vector<double>*>& fields);
+  friend std::size_t splitEdges(TetrahedronMesh& mesh, const EdgeSplits& splits, const std::vector<std::vector<double>*>& fields, unsigned threads);
   struct Split {
     Index a, b; ///< a < b
     double t;
@@ -50,8 +53,9 @@ private:
 
 /// Puts a vertex on each edge and splits all tetrahedra around it; the mesh stays conforming whatever edges are given, and marks go over to the parts.
 /// \param[in,out] fields of the nodes; a new node's value lies on the straight line between those of the edge's ends
+/// \param[in] threads 0: one per processor
 /// \return the number of vertices there were before. O(cells)
-std::size_t splitEdges(TetrahedronMesh& mesh, const EdgeSplits& splits, const std::vector<std::vector<double>*>& fields);
+std::size_t splitEdges(TetrahedronMesh& mesh, const EdgeSplits& splits, const std::vector<std::vector<double>*>& fields, unsigned threads = 0);
 
 /// Gives the two sides of all faces with marks nodes of their own; at the border of the marked faces, where one can walk round, they stay one.
 /// \return for each node a place a little way into the cells that share it: for a node beside a tear, on its side of the tear
@@ -62,8 +66,8 @@ class CellNeighbors {
 public:
   static constexpr Index kOutside = -1;
 
-  /// By vertices, so across tears too. O(cells log cells).
-  explicit CellNeighbors(const TetrahedronMesh& mesh);
+  /// By vertices, so across tears too. O(cells). \param[in] threads 0: one per processor
+  explicit CellNeighbors(const TetrahedronMesh& mesh, unsigned threads = 0);
 
   /// Face f of cell c has the number 4 c + f. \return that of the same face of the cell behind it; kOutside if there is none
   Index behind(std::size_t cell, int face) const { return behind_[4 * cell + static_cast<std::size_t>(face)]; }

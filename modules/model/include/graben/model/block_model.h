@@ -27,9 +27,13 @@ struct StackHorizon {
 
 struct BlockModelOptions {
   Bounds box;                 ///< what is to be filled, in local units; walls, top and base are its faces
+  std::vector<Eigen::Vector2d> outline; ///< a polygon in plan, without crossings, to which the box is cut; empty: the box as it is
+  bool top_is_first = false;  ///< the first horizon is the model's top: it cuts off the others, and what lies above it is left out
+  bool base_is_last = false;  ///< the last horizon is the model's base: the others end at it, and what lies below it is left out
   double size = 0.0;          ///< edge of the tetrahedra at horizons and faults, in local units; positive
   double min_thickness = 0.0; ///< a layer thinner than this, in local units, is absent
-  double fill = 0.0;          ///< farthest a horizon is carried on from itself, in local units; beyond, it follows the nearest one that is known there; 0: any
+  double fill = 0.0;          ///< farthest a horizon is carried on from itself, in local units; beyond, it follows one that is known there; 0: any
+  double wall_size = 0.0;     ///< longest edge of triangles on walls, top and base, where nothing else asks for shorter; 0: up to 32 sizes
   std::string top_name = "top";
   std::string base_name = "base";
   Vector3 report_origin = Vector3::Zero(); ///< added to places in messages
@@ -60,7 +64,8 @@ struct BlockModel {
 /// Horizons never cross: each is stored as a thickness, not below zero, under the one over it.
 /// Deterministic for every number of threads. O(n log n) for n tetrahedra, about 30 for each square of \a size on a surface.
 /// \param[in] horizons top to bottom; at least one
-/// \throw InvalidInputError if there is no horizon, one lies nowhere in the box, a conformable one clearly above the one over it, or an option is out of range
+/// \throw InvalidInputError if there is no horizon, one lies nowhere in the box, a conformable one clearly above the one over it, no horizon is known
+///        somewhere within the fill, nothing is left between top and base, or an option is out of range
 BlockModel buildBlockModel(const std::vector<StackHorizon>& horizons, const FaultNetwork& faults, const BlockModelOptions& options);
 
 } // namespace graben
