@@ -6,6 +6,7 @@
 #include "support/takeaway_pictures.h"
 
 #include "graben/core/errors.h"
+#include "graben/pipeline/held_out.h"
 #include "graben/pipeline/realizations.h"
 #include "graben/pipeline/requirements.h"
 #include "graben/pipeline/stage_clock.h"
@@ -28,6 +29,7 @@ OptionParser parser() {
     .flag("gocad-properties", "write piece, pick_distance and extrapolated into --output .ts too (PVRTX lines, which some readers refuse)")
     .value("report", "FILE.json", "the report alone")
     .value("realizations", "N", "make the surface N times more, 4 to 1000, from perturbed picks: the throw profiles get columns of how throws vary", "0");
+  p.flag("hold-out", "make the surface once more without a tenth of the picks, and report how far those lie from it");
   declarePictureOptions(p);
   declareUnitOptions(p);
   p.flag("progress", "say what is being done each second; on a terminal that is done anyway")
@@ -61,6 +63,8 @@ void say(const ReconstructionResult& result) {
     std::printf("dips       %zu of %zu measurements used\n", r.measurements - r.measurements_not_usable - r.measurements_set_aside, r.measurements);
   std::printf("surface    %zu triangles in %zu pieces, voxel size %.4g\n", r.topology.triangles, r.topology.components, r.used.voxel_size);
   std::printf("picks      RMS distance %.4g, 95 %% within %.4g\n", r.all_picks.rms, r.all_picks.p95);
+  if (r.held_out)
+    std::printf("held out   RMS distance %.4g, 95 %% within %.4g, of a tenth of the picks\n", r.held_out->rms, r.held_out->p95);
   if (r.extrapolation.vertices > 0)
     std::printf("beyond     %.2f %% of the area lies farther than %.4g from the picks, up to %.4g\n", 100.0 * r.extrapolation.area_share,
                 r.extrapolation.limit, r.extrapolation.farthest);
@@ -82,11 +86,13 @@ void say(const ReconstructionResult& result) {
 /// Errors name the file of the picks, behind what was odd about the input, which may be why.
 ReconstructionResult reconstruct(const OptionValues& values, HorizonInput input, const ProgressCallback& progress) {
   ReconstructionOptions options = reconstructionOptions(values, input.picks.z_positive);
-  options.keep_picks = values.has("results");
+  options.keep_picks = values.has("results") || values.has("hold-out");
   options.deviation = values.has("results") || values.has("report") || values.has("require");
   options.progress = progress;
   try {
     ReconstructionResult result = HorizonReconstruction(options).reconstruct(std::move(input.picks.points), input.faults, input.dips);
+    if (values.has("hold-out"))
+      measureHeldOut(result, input.faults, input.dips, options);
     RealizationOptions again;
     again.job = options;
     again.count = static_cast<std::size_t>(values.integer("realizations", 0, kMostRealizations));

@@ -110,9 +110,11 @@ private:
     const auto line = [this](const std::string& name, const DistanceStatistics& d) {
       return Cells{name, std::to_string(d.count), distance(d.rms), distance(d.p95), distance(d.max)};
     };
-    std::string html = table({"picks", "count", "RMS", "95 %", "largest"},
-                             {line("all", r_.all_picks), line("near faults, before the fit", r_.zone_before_fit),
-                              line("near faults, after it", r_.zone_after_fit)});
+    std::vector<Cells> rows{line("all", r_.all_picks), line("near faults, before the fit", r_.zone_before_fit),
+                            line("near faults, after it", r_.zone_after_fit)};
+    if (r_.held_out)
+      rows.push_back(line("a tenth held out, from a surface made without them", *r_.held_out));
+    std::string html = table({"picks", "count", "RMS", "95 %", "largest"}, rows);
     html += paragraph("E(M, X), the mean square over the picks near faults, was " + number(r_.zone_before_fit.mean_square) + " before the fit and is " +
                       number(r_.zone_after_fit.mean_square) + " after it. Picks that were left out of the local fit are missed by " +
                       distance(r_.left_out_away) + " (root mean square) away from faults and " + distance(r_.left_out_near) + " near them.");

@@ -107,33 +107,6 @@ void writeCutoffs(const fs::path& dir, const ReconstructionResult& result) {
     writePol((dir / (faultFile("cutoffs", static_cast<std::size_t>(fault), result) + ".pol")).string(), polylines);
 }
 
-/// A row for each place where throw, heave and dip slip are read off.
-void writeThrows(const fs::path& dir, const ReconstructionResult& result) {
-  for (std::size_t f = 0; f < result.throws.size(); ++f) {
-    if (result.throws[f].empty())
-      continue;
-    const std::vector<ThrowSample>& samples = result.throws[f];
-    const auto column = [&](const char* name, auto value) {
-      std::vector<double> values;
-      for (const ThrowSample& s : samples)
-        values.push_back(value(s));
-      return TableColumn{name, std::move(values)};
-    };
-    writeTable((dir / (faultFile("throw", f, result) + ".csv")).string(),
-               {column("x", [](const ThrowSample& s) { return s.footwall.x(); }),
-                column("y", [](const ThrowSample& s) { return s.footwall.y(); }),
-                column("z", [](const ThrowSample& s) { return s.footwall.z(); }),
-                column("hanging_wall_x", [](const ThrowSample& s) { return s.hanging_wall.x(); }),
-                column("hanging_wall_y", [](const ThrowSample& s) { return s.hanging_wall.y(); }),
-                column("hanging_wall_z", [](const ThrowSample& s) { return s.hanging_wall.z(); }),
-                column("along", [](const ThrowSample& s) { return s.along; }),
-                column("throw", [](const ThrowSample& s) { return s.throw_; }),
-                column("heave", [](const ThrowSample& s) { return s.heave; }),
-                column("dip_slip", [](const ThrowSample& s) { return s.dip_slip; }),
-                column("mark", [](const ThrowSample& s) { return static_cast<double>(s.mark); })});
-  }
-}
-
 /// The picks in the local frame (pcl_viewer draws float32), with normals, piece and the reason why one was set aside.
 void writePicks(const fs::path& dir, const ReconstructionResult& result) {
   PcdOptions fields;
@@ -195,7 +168,7 @@ std::vector<std::string> writeResults(const fs::path& dir, const OptionValues& v
   writeFaults(dir, output);
   writeCutoffs(dir, result);
   writeSetAside(dir, result);
-  writeThrows(dir, result);
+  writeThrows(dir, result, output.units);
   writeProfiles(dir, result, output.units);
   writePolygons(dir, result);
   writePicks(dir, result);

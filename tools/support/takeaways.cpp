@@ -21,6 +21,26 @@ FaultStick closed(const Points& ring) {
   return line;
 }
 
+/// A table's columns, each read off the same rows.
+template <typename Row>
+class Columns {
+public:
+  explicit Columns(const std::vector<Row>& rows) : rows_(rows) {}
+
+  template <typename Value>
+  void add(const std::string& name, const std::string& unit, const Value& value) {
+    std::vector<double> values;
+    for (const Row& row : rows_)
+      values.push_back(value(row));
+    columns_.push_back({unit.empty() ? name : name + " [" + unit + "]", std::move(values)});
+  }
+  std::vector<TableColumn> take() { return std::move(columns_); }
+
+private:
+  const std::vector<Row>& rows_;
+  std::vector<TableColumn> columns_;
+};
+
 const char* kindOf(const FaultPolygon& polygon) { return polygon.overlap ? "overlap" : "gap"; }
 
 void writePolygonTable(const fs::path& dir, const ReconstructionResult& result) {
@@ -71,38 +91,55 @@ std::string fileOfFault(const std::string& what, std::size_t fault, const std::s
   return what + "_" + std::to_string(fault + 1) + "_" + (safe.empty() ? "fault" : safe);
 }
 
+void writeThrows(const fs::path& dir, const ReconstructionResult& result, const UnitNames& units) {
+  for (std::size_t f = 0; f < result.throws.size(); ++f) {
+    if (result.throws[f].empty())
+      continue;
+    Columns<ThrowSample> columns(result.throws[f]);
+    columns.add("x", units.xy, [](const ThrowSample& s) { return s.footwall.x(); });
+    columns.add("y", units.xy, [](const ThrowSample& s) { return s.footwall.y(); });
+    columns.add("z", units.z, [](const ThrowSample& s) { return s.footwall.z(); });
+    columns.add("hanging_wall_x", units.xy, [](const ThrowSample& s) { return s.hanging_wall.x(); });
+    columns.add("hanging_wall_y", units.xy, [](const ThrowSample& s) { return s.hanging_wall.y(); });
+    columns.add("hanging_wall_z", units.z, [](const ThrowSample& s) { return s.hanging_wall.z(); });
+    columns.add("along", units.xy, [](const ThrowSample& s) { return s.along; });
+    columns.add("throw", units.z, [](const ThrowSample& s) { return s.throw_; });
+    columns.add("heave", units.xy, [](const ThrowSample& s) { return s.heave; });
+    columns.add("dip_slip", units.xy, [](const ThrowSample& s) { return s.dip_slip; });
+    columns.add("mark", "", [](const ThrowSample& s) { return static_cast<double>(s.mark); });
+    writeTable((dir / (fileOfFault("throw", f, result.faults[f].name) + ".csv")).string(), columns.take());
+  }
+}
+
 void writeProfiles(const fs::path& dir, const ReconstructionResult& result, const UnitNames& units) {
   for (std::size_t f = 0; f < result.profiles.size(); ++f) {
     const std::vector<ProfileRow>& rows = result.profiles[f].rows;
     if (rows.empty())
       continue;
-    const auto column = [&](const std::string& name, auto value) {
-      std::vector<double> values;
-      for (const ProfileRow& row : rows)
-        values.push_back(value(row));
-      return TableColumn{name, std::move(values)};
-    };
-    const auto in = [](const std::string& name, const std::string& unit) { return name + " [" + unit + "]"; };
-    std::vector<TableColumn> columns{
-      column(in("along", units.xy), [](const ProfileRow& r) { return r.along; }),
-      column(in("x", units.xy), [](const ProfileRow& r) { return r.footwall.x(); }),
-      column(in("y", units.xy), [](const ProfileRow& r) { return r.footwall.y(); }),
-      column(in("footwall_z", units.z), [](const ProfileRow& r) { return r.footwall.z(); }),
-      column(in("hanging_wall_z", units.z), [](const ProfileRow& r) { return r.hanging_wall.z(); }),
-      column(in("throw", units.z), [](const ProfileRow& r) { return r.throw_; }),
-      column(in("throw_p10", units.z), [](const ProfileRow& r) { return r.throwAt(-kP90); }),
-      column(in("throw_p90", units.z), [](const ProfileRow& r) { return r.throwAt(kP90); }),
-      column(in("throw_sd", units.z), [](const ProfileRow& r) { return r.deviation; }),
-      column(in("heave", units.xy), [](const ProfileRow& r) { return r.heave; }),
-      column(in("dip_slip", units.xy), [](const ProfileRow& r) { return r.dip_slip; }),
-      column(in("fault_dip", "deg"), [](const ProfileRow& r) { return r.dip; }),
-      column(in("fault_dip_azimuth", "deg"), [](const ProfileRow& r) { return r.azimuth; })};
+    Columns<ProfileRow> columns(rows);
+    columns.add("along", units.xy, [](const ProfileRow& r) { return r.along; });
+    columns.add("x", units.xy, [](const ProfileRow& r) { return r.footwall.x(); });
+    columns.add("y", units.xy, [](const ProfileRow& r) { return r.footwall.y(); });
+    columns.add("footwall_z", units.z, [](const ProfileRow& r) { return r.footwall.z(); });
+    columns.add("hanging_wall_z", units.z, [](const ProfileRow& r) { return r.hanging_wall.z(); });
+    columns.add("throw", units.z, [](const ProfileRow& r) { return r.throw_; });
+    columns.add("throw_p10", units.z, [](const ProfileRow& r) { return r.throwAt(-kP90); });
+    columns.add("throw_p90", units.z, [](const ProfileRow& r) { return r.throwAt(kP90); });
+    columns.add("throw_sd", units.z, [](const ProfileRow& r) { return r.deviation; });
+    columns.add("heave", units.xy, [](const ProfileRow& r) { return r.heave; });
+    columns.add("heave_p10", units.xy, [](const ProfileRow& r) { return r.heave - kP90 * r.heave_deviation; });
+    columns.add("heave_p90", units.xy, [](const ProfileRow& r) { return r.heave + kP90 * r.heave_deviation; });
+    columns.add("dip_slip", units.xy, [](const ProfileRow& r) { return r.dip_slip; });
+    columns.add("dip_slip_p10", units.xy, [](const ProfileRow& r) { return r.dip_slip - kP90 * r.dip_slip_deviation; });
+    columns.add("dip_slip_p90", units.xy, [](const ProfileRow& r) { return r.dip_slip + kP90 * r.dip_slip_deviation; });
+    columns.add("fault_dip", "deg", [](const ProfileRow& r) { return r.dip; });
+    columns.add("fault_dip_azimuth", "deg", [](const ProfileRow& r) { return r.azimuth; });
     if (std::any_of(rows.begin(), rows.end(), [](const ProfileRow& r) { return std::isfinite(r.realized_deviation); })) {
-      columns.push_back(column(in("realized_p10", units.z), [](const ProfileRow& r) { return r.realized_low; }));
-      columns.push_back(column(in("realized_p90", units.z), [](const ProfileRow& r) { return r.realized_high; }));
-      columns.push_back(column(in("realized_sd", units.z), [](const ProfileRow& r) { return r.realized_deviation; }));
+      columns.add("realized_p10", units.z, [](const ProfileRow& r) { return r.realized_low; });
+      columns.add("realized_p90", units.z, [](const ProfileRow& r) { return r.realized_high; });
+      columns.add("realized_sd", units.z, [](const ProfileRow& r) { return r.realized_deviation; });
     }
-    writeTable((dir / (fileOfFault("profile", f, result.faults[f].name) + ".csv")).string(), columns);
+    writeTable((dir / (fileOfFault("profile", f, result.faults[f].name) + ".csv")).string(), columns.take());
   }
 }
 

@@ -22,6 +22,9 @@ void declareUnitOptions(OptionParser& parser);
 /// \throw UsageError if a unit's name has characters that a header cannot hold
 UnitNames unitNames(const OptionValues& values, const UnitNames& of_picks = {"", ""});
 
+/// throw_N_FAULT.csv: a row for each place where throw, heave and dip slip are read off, with units.
+void writeThrows(const std::filesystem::path& dir, const ReconstructionResult& result, const UnitNames& units);
+
 /// Writes, for each fault that cuts the horizon, its throw along strike: profile_N_NAME.csv.
 void writeProfiles(const std::filesystem::path& dir, const ReconstructionResult& result, const UnitNames& units);
 

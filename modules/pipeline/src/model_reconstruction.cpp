@@ -20,7 +20,12 @@ namespace {
 class ModelJob {
 public:
   ModelJob(const ModelOptions& options, std::vector<ModelHorizon> horizons)
-    : o_(options), horizons_(std::move(horizons)), clock_(result_.stages, o_.reconstruction.progress) {}
+    : o_(options), horizons_(std::move(horizons)), clock_(result_.stages, o_.reconstruction.progress) {
+    if (o_.top_surface)
+      horizons_.insert(horizons_.begin(), std::move(*o_.top_surface));
+    if (o_.base_surface)
+      horizons_.push_back(std::move(*o_.base_surface));
+  }
 
   ModelResult run(const std::vector<FaultInput>& faults) {
     check(faults);
@@ -39,7 +44,7 @@ public:
 
 private:
   void check(const std::vector<FaultInput>& faults) const {
-    if (horizons_.empty())
+    if (horizons_.size() == (o_.top_surface ? 1U : 0U) + (o_.base_surface ? 1U : 0U))
       throw InvalidInputError("model", "there is no horizon");
     std::set<std::string> names;
     for (const ModelHorizon& h : horizons_)
@@ -48,9 +53,11 @@ private:
     for (const FaultInput& fault : faults)
       if (fault.z_positive != ZPositive::Unknown && (fault.z_positive == ZPositive::Down) != (o_.reconstruction.z_positive == ZPositive::Down))
         throw InvalidInputError("fault " + fault.name, "its z grows the other way than the picks' does; say which way that is with --z-positive");
-    for (const double length : {o_.inset, o_.size, o_.min_thickness, o_.fill})
+    for (const double length : {o_.inset, o_.size, o_.wall_size, o_.min_thickness, o_.fill})
       if (!std::isfinite(length) || length < 0.0)
-        throw InvalidInputError("model", "inset, size, least thickness and fill must not be negative");
+        throw InvalidInputError("model", "inset, size, wall size, least thickness and fill must not be negative");
+    if (!o_.outline_polygon.empty() && (o_.outline_polygon.size() < 3 || o_.inset > 0.0))
+      throw InvalidInputError("outline", o_.inset > 0.0 ? "a polygon cannot be drawn in; give an inset of 0" : "a polygon has three corners at least");
   }
 
   void prepare(const std::vector<FaultInput>& faults) {
@@ -103,7 +110,10 @@ private:
   void placeBox() {
     const LocalFrame& frame = prepared_.frame;
     box_ = Bounds();
-    if (o_.outline) {
+    if (!o_.outline_polygon.empty()) {
+      for (const Eigen::Vector2d& corner : o_.outline_polygon)
+        box_.extend(frame.toLocal({corner.x(), corner.y(), frame.origin.z()}));
+    } else if (o_.outline) {
       const auto& a = *o_.outline;
       box_.extend(frame.toLocal({std::min(a[0], a[2]), std::min(a[1], a[3]), frame.origin.z()}));
       box_.extend(frame.toLocal({std::max(a[0], a[2]), std::max(a[1], a[3]), frame.origin.z()}));
@@ -145,7 +155,7 @@ private:
         sigma = std::max(sigma, one.report.sampling.sigma);
         for (const std::string& warning : one.report.warnings)
           result_.warnings.push_back(h.name + ": " + warning);
-        result_.horizons.push_back({h.name, std::move(one.mesh), std::move(one.report), {}});
+        result_.horizons.push_back({h.name, std::move(one.mesh), std::move(one.report), {}, std::move(one.profiles)});
       } catch (const InvalidInputError& error) {
         throw InvalidInputError("horizon " + h.name, error.what());
       }
@@ -177,6 +187,15 @@ private:
     options.size = o_.size;
     options.min_thickness = o_.min_thickness * prepared_.frame.z_scale;
     options.fill = o_.fill;
+    options.wall_size = o_.wall_size;
+    for (const Eigen::Vector2d& corner : o_.outline_polygon)
+      options.outline.emplace_back(prepared_.frame.toLocal({corner.x(), corner.y(), prepared_.frame.origin.z()}).head<2>());
+    options.top_is_first = o_.top_surface.has_value();
+    options.base_is_last = o_.base_surface.has_value();
+    if (options.top_is_first)
+      options.top_name = horizons_.front().name;
+    if (options.base_is_last)
+      options.base_name = horizons_.back().name;
     options.report_origin = prepared_.frame.origin;
     options.threads = o_.reconstruction.threads;
     options.progress = o_.reconstruction.progress;
@@ -186,6 +205,19 @@ private:
     result_.notes.insert(result_.notes.end(), model.notes.begin(), model.notes.end());
     for (std::size_t k = 0; k < stack.size(); ++k)
       result_.horizons[k].in_model = model.horizons[k];
+    setBoundingApart();
+  }
+
+  void setBoundingApart() {
+    std::vector<ModelHorizonResult>& horizons = result_.horizons;
+    if (o_.top_surface) {
+      result_.bounding.push_back(std::move(horizons.front()));
+      horizons.erase(horizons.begin());
+    }
+    if (o_.base_surface) {
+      result_.bounding.push_back(std::move(horizons.back()));
+      horizons.pop_back();
+    }
   }
 
   void toUser() {

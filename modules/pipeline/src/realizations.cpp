@@ -1,5 +1,7 @@
 #include "graben/pipeline/realizations.h"
 
+#include "again.h"
+
 #include "graben/core/errors.h"
 
 #include <algorithm>
@@ -28,19 +30,6 @@ private:
 
   std::mt19937_64 bits_;
 };
-
-ReconstructionOptions withUsed(ReconstructionOptions options, const UsedParameters& used) {
-  options.voxel_size = used.voxel_size;
-  options.rho = used.rho;
-  options.delta = used.delta;
-  options.zone_width = used.zone_width;
-  options.fault_reach = used.fault_reach;
-  options.neighbors = used.neighbors;
-  options.deviation = false;
-  options.keep_picks = false;
-  options.progress = nullptr;
-  return options;
-}
 
 /// The throw of a profile at the row nearest to a place in the map, no farther than an interval; NaN if there is none.
 double throwNear(const FaultProfile& profile, const Vector3& place) {

@@ -142,6 +142,8 @@ Json reportTree(const ReconstructionReport& r, bool with_timings) {
                               {"set_aside", toJson<Json>(r.set_aside)},
                               {"left_out_away", r.left_out_away},
                               {"left_out_near", r.left_out_near}};
+  if (r.held_out)
+    j["approximation_error"]["held_out"] = toJson<Json>(*r.held_out);
   j["topology"] = toJson<Json>(r.topology);
   j["quality"] = toJson<Json>(r.quality);
   j["seal"] = toJson<Json>(r.seal.all);

@@ -38,6 +38,13 @@ private:
   std::vector<NeighborGrid> grids_;
 };
 
+/// What the throw varies by, along the fault's dip. \param[in] z_scale units of x and y to one of z
+void setSlipDeviations(ProfileRow& row, double z_scale) {
+  const double dip = row.dip / 180.0 * M_PI;
+  row.heave_deviation = z_scale * row.deviation * std::cos(dip) / std::sin(dip);
+  row.dip_slip_deviation = z_scale * row.deviation / std::sin(dip);
+}
+
 } // namespace
 
 /// A round number of about four voxels, unless asked for.
@@ -105,6 +112,8 @@ void ReconstructionJob::readThrowsOff(const EdgeAdjacency& adjacency) {
     FaultProfile profile = faultProfile(result_.throws[f], f, faults_, throwInterval());
     std::for_each(result_.throws[f].begin(), result_.throws[f].end(), toUser);
     std::for_each(profile.rows.begin(), profile.rows.end(), toUser);
+    for (ProfileRow& row : profile.rows)
+      setSlipDeviations(row, frame.z_scale);
     for (const ProfileRow& row : profile.rows)
       if (std::isfinite(row.deviation)) {
         squares += row.deviation * row.deviation;

@@ -87,7 +87,7 @@ ModelResult model(const std::vector<SyntheticModel>& horizons) {
   std::vector<ModelHorizon> picks;
   for (std::size_t k = 0; k < horizons.size(); ++k)
     picks.push_back({"H" + std::to_string(k + 1), horizons[k].picks().points, HorizonRelation::Conformable});
-  std::vector<FaultGeometry> faults;
+  std::vector<FaultInput> faults;
   for (std::size_t f = 0; f < horizons[0].faultCount(); ++f)
     faults.push_back({"fault " + std::to_string(f + 1), horizons[0].faultMesh(f), ZPositive::Unknown});
   return ModelReconstruction(o).reconstruct(std::move(picks), faults);

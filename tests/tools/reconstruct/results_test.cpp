@@ -109,7 +109,7 @@ TEST_F(ReconstructResults, ThrowProfilesHaveUnitsAndARowEverySoOften) {
   std::string line;
   std::getline(profile, line);
   EXPECT_EQ(line, "along [ft],x [ft],y [ft],footwall_z [ms],hanging_wall_z [ms],throw [ms],throw_p10 [ms],throw_p90 [ms],throw_sd [ms],"
-                  "heave [ft],dip_slip [ft],fault_dip [deg],fault_dip_azimuth [deg]");
+                  "heave [ft],heave_p10 [ft],heave_p90 [ft],dip_slip [ft],dip_slip_p10 [ft],dip_slip_p90 [ft],fault_dip [deg],fault_dip_azimuth [deg]");
   double along = 0.0;
   for (; std::getline(profile, line); along += 500.0)
     EXPECT_EQ(std::stod(line), along);
@@ -178,7 +178,7 @@ void listKeys(const nlohmann::json& tree, std::set<std::string>& keys) {
 
 TEST_F(ReconstructResults, TheReportsKeysAreExplained) {
   synthesize("s", "--kind branch --picks 1500");
-  ASSERT_EQ(reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts s/fault_2.ts --output top.ply --report report.json").code, 0);
+  ASSERT_EQ(reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts s/fault_2.ts --output top.ply --report report.json --hold-out").code, 0);
   std::ifstream file(GRABEN_SOURCE_DIR "/config/documentation/report.md");
   const std::string explained((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const auto report = nlohmann::json::parse(content("report.json"));
@@ -223,7 +223,7 @@ TEST_F(ReconstructResults, ThrowsAndDistancesToPicksAreWritten) {
   synthesize("s", "--kind normal --picks 4000");
   ASSERT_EQ(reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --results r --output top.ts --gocad-properties").code, 0);
   EXPECT_THAT(content("r/throw_1_fault_1.csv"),
-              StartsWith("x,y,z,hanging_wall_x,hanging_wall_y,hanging_wall_z,along,throw,heave,dip_slip,mark\n"));
+              StartsWith("x [m],y [m],z [m],hanging_wall_x [m],hanging_wall_y [m],hanging_wall_z [m],along [m],throw [m],heave [m],dip_slip [m],mark\n"));
   const auto report = nlohmann::json::parse(content("r/report.json"));
   EXPECT_GT(report["faults"][0]["throw"]["samples"], 50);
   EXPECT_NEAR(report["faults"][0]["throw"]["mean"], 83.0, 4.0);

@@ -1,3 +1,4 @@
+#include "graben/pipeline/held_out.h"
 #include "graben/pipeline/realizations.h"
 
 #include "small_model.h"
@@ -48,6 +49,20 @@ TEST(Realizations, WantPicksAndEnoughOfThemselves) {
   RealizationOptions few;
   few.count = 3;
   EXPECT_THROW(realizeThrows(nothing, {}, {}, few), InvalidInputError);
+}
+
+TEST(HeldOut, AreMissedByTheirNoise) {
+  SyntheticOptions o = SyntheticOptions::of(SyntheticKind::Tip);
+  o.picks = 4000;
+  o.noise = 4.0;
+  const SyntheticModel model(o);
+  ReconstructionResult result = HorizonReconstruction().reconstruct(model.picks().points, faultsOf(model));
+  EXPECT_FALSE(result.report.held_out.has_value());
+  measureHeldOut(result, faultsOf(model), {}, {});
+  ASSERT_TRUE(result.report.held_out.has_value());
+  EXPECT_NEAR(static_cast<double>(result.report.held_out->count), 400.0, 60.0);
+  EXPECT_GT(result.report.held_out->rms, result.report.all_picks.rms) << "they had no say";
+  EXPECT_NEAR(result.report.held_out->rms, o.noise, 0.25 * o.noise);
 }
 
 } // namespace

@@ -82,10 +82,14 @@ def quantiles(off):
     return [float(numpy.percentile(off, q, method="lower")) for q in QUANTILES]
 
 
-def _profile(path):
+def rows_of(path):
+    """The rows of a table of results by the names of its columns, units left out."""
     with open(path, encoding="utf-8") as file:
-        rows = [(float(row["x"]), float(row["y"]), float(row["throw"])) for row in csv.DictReader(file) if row["throw"]]
-    return numpy.array(rows).reshape(-1, 3)
+        return [{name.split(" [")[0]: float(value or "nan") for name, value in row.items()} for row in csv.DictReader(file)]
+
+
+def _profile(path):
+    return numpy.array([(row["x"], row["y"], row["throw"]) for row in rows_of(path)]).reshape(-1, 3)
 
 
 def throw_difference(full, thinned, reach):

@@ -18,6 +18,8 @@ struct ProfileRow {
   double heave = 0.0;
   double dip_slip = 0.0;
   double deviation = std::numeric_limits<double>::quiet_NaN(); ///< standard deviation of the throw; NaN where it is not known
+  double heave_deviation = std::numeric_limits<double>::quiet_NaN();    ///< of the heave, in its unit: the cutoffs move along the fault
+  double dip_slip_deviation = std::numeric_limits<double>::quiet_NaN(); ///< of the dip slip, likewise
   /// Of throws of surfaces made from perturbed picks: P10, P90 and the standard deviation; NaN where there are none, see realizeThrows().
   double realized_low = std::numeric_limits<double>::quiet_NaN();
   double realized_high = std::numeric_limits<double>::quiet_NaN();

@@ -129,6 +129,7 @@ struct ReconstructionReport {
   DistanceStatistics zone_before_fit;    ///< E(M, X) over the picks in the zone that the surface is made from
   DistanceStatistics zone_after_fit;
   DistanceStatistics all_picks;          ///< over all picks that it is made from, after the fit
+  std::optional<DistanceStatistics> held_out; ///< over a tenth of the picks, of a surface made without them; see measureHeldOut()
   DistanceStatistics set_aside;          ///< over those set aside for any reason
   double left_out_away = 0.0;            ///< RMS by which the local fit misses picks left out, away from the faults and near them; 0: not fitted
   double left_out_near = 0.0;
