@@ -68,7 +68,7 @@ OptionParser makeParser() {
       .value("seed", "N", "of the random numbers", "1");
   parser.section("Faults")
       .value("throw", "T", "largest throw; negative: hanging wall up (100; benchmark 120)")
-      .value("throw-variation", "V", "share of the throw lost towards the area's edge (0.3)")
+      .value("throw-variation", "V", "share of the throw lost towards the area's edge; over 1 it turns round on the way, as at a scissor fault (0.3)")
       .value("dip", "DEG", "20 to 90 (60)")
       .value("bend", "DEG", "change of dip over 300 m of height (0; listric 8)")
       .value("waviness", "A", "amplitude of undulation along strike (0; listric 40)")

@@ -1,13 +1,14 @@
 #include "support/model_folder.h"
 
-#include "graben/core/errors.h"
 #include "graben/core/atomic_file.h"
+#include "graben/core/errors.h"
 #include "graben/io/mesh_writer.h"
 #include "graben/io/sealed_writer.h"
 #include "graben/io/table_writer.h"
 #include "graben/mesh/bounds.h"
 #include "graben/model/model_section.h"
 #include "graben/visualization/render.h"
+#include "support/model_diagrams.h"
 #include "support/section_files.h"
 
 #include <Eigen/Geometry>
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 
@@ -28,17 +28,15 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-const char* const kManifest = "files.txt";
-
-/// Writes files into the results folder and keeps a list of them: what a former run's list names and this one has not written goes.
+/// Writes all that a model's folder holds.
 class FolderWriter {
 public:
   FolderWriter(const fs::path& folder, const ModelResult& result) : folder_(folder), result_(result), sealed_(result.sealed) {}
 
   /// \return sentences for the user
   std::vector<std::string> write() {
-    makeFolder(folder_);
     writeHorizons();
+    drawAllanDiagrams(folder_ / "faults", result_);
     if (result_.check.good()) {
       writeBlocks();
       writePatches();
@@ -47,37 +45,31 @@ public:
       writeContacts();
       drawPictures();
       writeGmsh(add("model.msh"), sealed_);
-      written_.insert("model.geo");
       writeModel3d(add("model.ml"), sealed_, named("model"));
       writeMultiblock(add("model.vtm"), sealed_);
-      for (const auto& entry : fs::directory_iterator(folder_ / "model"))
-        written_.insert("model/" + entry.path().filename().string());
     } else {
       writeDefects();
     }
     writeText(add("report.json"), modelJson(result_));
-    removeFormer();
     return notes_;
   }
 
 private:
-  static void makeFolder(const fs::path& path) {
-    std::error_code error;
-    fs::create_directories(path, error);
-    if (error)
-      throw IoError(path.string(), "the folder cannot be made: " + error.message());
-  }
-
   static void writeText(const std::string& path, const std::string& text) {
     AtomicFile out(path);
     out.write(text);
     out.commit();
   }
 
+  /// A place for a file; where two objects' names make one file name, the second has a number.
   std::string add(const std::string& name) {
-    written_.insert(name);
-    const fs::path path = folder_ / name;
-    makeFolder(path.parent_path());
+    fs::path path = folder_ / name;
+    for (int i = 2; !taken_.insert(path.string()).second; ++i)
+      path = (folder_ / name).replace_filename(fs::path(name).stem().string() + "_" + std::to_string(i) + fs::path(name).extension().string());
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    if (error)
+      throw WriteError(path.parent_path().string(), "the folder cannot be made: " + error.message());
     return path.string();
   }
 
@@ -91,8 +83,9 @@ private:
   const std::string& faultName(std::size_t f) const { return result_.faults[f].name; }
 
   void writeHorizons() {
-    for (const ModelHorizonResult& h : result_.horizons)
-      writeMesh(add("horizons/" + fileNameOf(h.name) + "_reconstructed.ply"), h.mesh, named(h.name));
+    for (const std::vector<ModelHorizonResult>* all : {&result_.horizons, &result_.bounding})
+      for (const ModelHorizonResult& h : *all)
+        writeMesh(add("horizons/" + fileNameOf(h.name) + "_reconstructed.ply"), h.mesh, named(h.name));
   }
 
   void writeBlocks() {
@@ -209,8 +202,6 @@ private:
     options.formats = {"png", "svg", "csv"};
     const auto section = [&](const std::string& name, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
       writeSection((folder_ / "sections").string(), name, model, cutModel(sealed_, {from, to}, model.z_positive == ZPositive::Down), options);
-      for (const char* ending : {".png", ".svg", ".csv", "_throws.csv"})
-        written_.insert("sections/" + name + ending);
     };
     section("west_east", {box.low.x(), middle.y()}, {box.high.x(), middle.y()});
     section("south_north", {middle.x(), box.low.y()}, {middle.x(), box.high.y()});
@@ -265,6 +256,8 @@ private:
     o.color_by = ColorBy::Piece;
     o.z_positive = result_.frame.z_positive;
     o.title = "blocks drawn apart, by layer";
+    for (std::size_t layer = 0; layer <= result_.horizons.size(); ++layer)
+      o.piece_names.push_back(layerName(static_cast<Index>(layer)));
     renderSurface(screen, add("blocks.png"), scene, o);
   }
 
@@ -284,27 +277,21 @@ private:
       writeMesh(add("defects.vtp"), mesh, named("defects"));
   }
 
-  void removeFormer() {
-    std::ifstream list(folder_ / kManifest);
-    std::error_code error;
-    for (std::string name; std::getline(list, name);)
-      if (!name.empty() && name.front() != '/' && name.find("..") == std::string::npos && written_.count(name) == 0)
-        fs::remove(folder_ / name, error);
-    list.close();
-    std::string text;
-    for (const std::string& name : written_)
-      text += name + "\n";
-    writeText((folder_ / kManifest).string(), text);
-  }
-
   fs::path folder_;
   const ModelResult& result_;
   const SealedMesh& sealed_;
-  std::set<std::string> written_;
+  std::set<std::string> taken_;
   std::vector<std::string> notes_;
 };
 
 } // namespace
+
+const FileSetNames& modelSet() {
+  static const FileSetNames names{
+    "graben_model.manifest", "report.json",
+    "{\n  \"complete\": false,\n  \"note\": \"the run was ended while it exchanged the files of this folder; run it again\"\n}\n"};
+  return names;
+}
 
 std::string fileNameOf(const std::string& name) {
   std::string result = name;
@@ -317,6 +304,7 @@ std::string fileNameOf(const std::string& name) {
 std::string modelJson(const ModelResult& result) {
   Json json;
   const SealedMesh& sealed = result.sealed;
+  json["complete"] = true;
   json["closed"] = result.check.good();
   json["blocks"] = sealed.blocks.size();
   json["triangles"] = sealed.triangles.size();
@@ -337,6 +325,7 @@ std::string modelJson(const ModelResult& result) {
                                 {"sigma", h.report.sampling.sigma},
                                 {"extrapolated_share", h.in_model.extrapolated_share},
                                 {"extrapolated_farthest", h.in_model.farthest},
+                                {"absent_share", h.in_model.absent_share},
                                 {"crossing", h.in_model.crossing}});
   json["faults"] = Json::array();
   for (const FaultSurface& fault : result.faults)
@@ -353,7 +342,15 @@ std::string modelJson(const ModelResult& result) {
 }
 
 std::vector<std::string> writeModelFolder(const std::string& folder, const ModelResult& result) {
-  return FolderWriter(folder, result).write();
+  FileSet set(folder, modelSet());
+  std::vector<std::string> notes;
+  try {
+    notes = FolderWriter(set.staging(), result).write();
+  } catch (const IoError& error) {
+    throw set.inPlace(error);
+  }
+  set.commit();
+  return notes;
 }
 
 void writeModelFile(const std::string& path, const ModelResult& result) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/file_set.h"
 #include "graben/pipeline/model_reconstruction.h"
 
 #include <string>
@@ -10,7 +11,10 @@ namespace graben {
 /// The name of an object as that of a file.
 std::string fileNameOf(const std::string& name);
 
-/// Writes a model's results folder: what is closed as blocks, or else defects.vtp and the horizons alone.
+/// What the files of a model's results folder are told from others in it by.
+const FileSetNames& modelSet();
+
+/// Writes a model's results folder, all at once (see FileSet): what is closed as blocks, or else defects.vtp and the horizons alone.
 /// \return sentences for the user
 std::vector<std::string> writeModelFolder(const std::string& folder, const ModelResult& result);
 

@@ -1,6 +1,8 @@
 #include "support/model_options.h"
 
+#include "support/file_arguments.h"
 #include "support/horizon_options.h"
+#include "support/model_folder.h"
 
 #include "graben/core/errors.h"
 #include "graben/io/fault_reader.h"
@@ -8,6 +10,8 @@
 #include "graben/io/pick_reader.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 namespace graben {
@@ -42,12 +46,57 @@ NamedFile namedFile(const std::string& text) {
   return named;
 }
 
+/// The one line of a file, as a polygon in plan.
+std::vector<Eigen::Vector2d> readPolygon(const std::string& file) {
+  std::vector<std::vector<FaultStick>> found;
+  for (const FaultInput& line : readFaults(file))
+    if (const auto* sticks = std::get_if<std::vector<FaultStick>>(&line.geometry))
+      found.push_back(*sticks);
+  if (found.size() != 1 || found[0].size() != 1)
+    throw InvalidInputError("reading " + file, "it holds " + std::to_string(found.empty() ? 0 : found[0].size() * found.size()) +
+                                                 " lines; an outline is one");
+  std::vector<Eigen::Vector2d> ring;
+  for (const Vector3& p : found[0][0].points)
+    if (ring.empty() || Eigen::Vector2d(p.head<2>()) != ring.back())
+      ring.emplace_back(p.head<2>());
+  if (ring.size() > 1 && ring.front() == ring.back())
+    ring.pop_back();
+  if (ring.size() < 3)
+    throw InvalidInputError("reading " + file, "its line has fewer than three corners; an outline is a polygon");
+  return ring;
+}
+
+/// A level, or else the file of a surface.
+void readBound(const OptionValues& values, const std::string& option, std::optional<double>& level, std::optional<ModelHorizon>& surface,
+               ModelInput& input, const ReadOptions& read) {
+  if (!values.has(option))
+    return;
+  const std::string& text = values.text(option);
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (end != text.c_str() && *end == '\0' && std::isfinite(number)) {
+    level = number;
+    return;
+  }
+  if (!fs::exists(splitPickSource(text).path))
+    values.refuse(option, "is neither a number nor a file that is there");
+  ReadOptions how = read;
+  how.horizon = splitPickSource(text).horizon;
+  PickSet picks = readPicks(splitPickSource(text).path, how);
+  input.notes.insert(input.notes.end(), picks.notes.begin(), picks.notes.end());
+  surface = ModelHorizon{option, std::move(picks.points), HorizonRelation::Conformable};
+}
+
 void readOutline(const OptionValues& values, ModelOptions& o) {
   const std::string& text = values.text("outline");
   if (text == "auto")
     return;
-  if (text.rfind("box:", 0) != 0)
-    values.refuse("outline", "is neither auto nor box:X0,Y0,X1,Y1");
+  if (text.rfind("box:", 0) != 0) {
+    if (!fs::exists(text))
+      values.refuse("outline", "is neither auto nor box:X0,Y0,X1,Y1 nor a file that is there");
+    o.outline_polygon = readPolygon(text);
+    return;
+  }
   std::array<double, 4> box{};
   std::size_t from = 4;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -71,11 +120,8 @@ ModelOptions modelOptions(const OptionValues& values, ZPositive z_positive) {
   o.reconstruction = reconstructionOptions(values, z_positive);
   readOutline(values, o);
   o.inset = values.number("inset", 0.0, 1e12);
-  if (values.has("top"))
-    o.top = values.number("top");
-  if (values.has("base"))
-    o.base = values.number("base");
   o.size = values.number("size", 0.0, 1e12);
+  o.wall_size = values.number("wall-size", 0.0, 1e12);
   o.min_thickness = values.number("min-thickness", 0.0, 1e12);
   o.fill = values.number("fill", 0.0, 1e12);
   o.extend_faults_to_box = values.text("extend-faults") == "box";
@@ -144,13 +190,16 @@ void declareModelOptions(OptionParser& parser) {
   parser.value("fault-z-positive", "WAY", "which way z of the faults grows: up, down or auto (as their files say, else as the picks')", "auto")
     .flag("units-as-given", "picks and faults are in the same units and directions although it does not look so");
   parser.section("Model, in the picks' units")
-    .value("outline", "AREA", "box:X0,Y0,X1,Y1, or auto: what all horizons' picks span", "auto")
+    .value("outline", "AREA", "box:X0,Y0,X1,Y1, the file of a polygon, or auto: what all horizons' picks span", "auto")
     .value("inset", "D", "draws the outline in by this much on all sides", "0")
-    .value("top", "Z", "where the model ends above (default: over the highest pick by a tenth of the picks' range)")
-    .value("base", "Z", "where it ends below")
+    .value("top", "Z|FILE", "where the model ends above: a level, or picks of a surface such as a topography, which cuts off the horizons (default: over the "
+                            "highest pick by a tenth of the picks' range)")
+    .value("base", "Z|FILE", "where it ends below; the horizons end at a surface")
     .value("size", "D", "edge of the model's triangles (default: the horizons' smallest voxel size)")
+    .value("wall-size", "D", "longest edge of triangles on walls, top and base (default: up to 32 sizes)")
     .value("min-thickness", "T", "a layer thinner than this is absent (default: two sigma of the picks, or a hundredth of the size)")
-    .value("fill", "D", "farthest a horizon is carried on from itself over holes and to the outline; beyond, it follows its neighbour (default: any)")
+    .value("fill", "D", "farthest a horizon is carried on from itself over holes and to the outline; beyond, it follows a neighbour that is known there; "
+                        "where none is, the hole is named and refused (default: any)")
     .value("extend-faults", "HOW", "box: faults are continued up and down to the model's top and base; none: only to the horizons, where the picks have a step "
                                     "there; off, or a distance everywhere", "none");
   declareParameterOptions(parser, false);
@@ -169,6 +218,10 @@ ModelInput joinModelInput(const OptionValues& values, std::vector<NamedPicks> ho
   for (FaultInput& fault : faults)
     input.faults.push_back({std::move(fault.name), std::move(fault.geometry), fault.z_positive});
   input.options = modelOptions(values, way);
+  ReadOptions read = readOptions(values);
+  read.threads = static_cast<unsigned>(values.integer("threads", 0, 4096));
+  readBound(values, "top", input.options.top, input.options.top_surface, input, read);
+  readBound(values, "base", input.options.base, input.options.base_surface, input, read);
   return input;
 }
 
@@ -185,18 +238,25 @@ ModelInput readModelInput(const OptionValues& values, const ProgressCallback& pr
 void checkModelOutputs(const OptionValues& values) {
   if (!values.has("output") && !values.has("results"))
     throw UsageError("--results DIR or --output FILE is missing: where shall the model go?");
+  std::vector<FileArgument> inputs = filesOf(values, {"fault", "config", "outline", "top", "base"});
+  for (const std::string& text : values.texts("horizon"))
+    inputs.push_back({"--horizon", splitPickSource(namedFile(text).file).path});
+  std::vector<FileArgument> outputs;
   if (values.has("output")) {
-    const std::string extension = fs::path(values.text("output")).extension().string();
+    const fs::path output = values.text("output");
+    const std::string extension = output.extension().string();
     if (extension != ".msh" && extension != ".ml" && extension != ".vtm")
       throw UsageError("--output " + values.text("output") + ": its extension must be .msh, .ml or .vtm");
-    const fs::path parent = fs::path(values.text("output")).parent_path();
-    if (!parent.empty() && !fs::is_directory(parent))
-      throw IoError(values.text("output"), "the folder it should go to does not exist; make it first");
+    outputs = filesOf(values, {"output"});
+    if (extension == ".msh")
+      outputs.push_back({"--output, with", fs::path(output).replace_extension(".geo").string()});
   }
+  checkOutputs(outputs, inputs);
   if (values.has("results"))
-    for (fs::path path = values.text("results"); !path.empty() && !fs::is_directory(path); path = path.parent_path())
-      if (fs::exists(path))
-        throw IoError(values.text("results"), "the folder cannot be made: " + path.string() + " is a file");
+    checkOutputFolder({"--results", values.text("results")}, modelSet(),
+                      {"report.json", "blocks.csv", "patches.csv", "contacts.csv", "blocks.png", "model.msh", "model.geo", "model.ml", "model.vtm",
+                       modelSet().manifest},
+                      inputs, outputs);
 }
 
 } // namespace graben

@@ -106,15 +106,19 @@ void drawValueLegend(Annotations& on, const vtkLookupTable& colors, bool reverse
   on.text(left, bottom + height + 1.5 * on.fontSize(), name);
 }
 
-void drawPieceLegend(Annotations& on, Index pieces) {
+void drawPieceLegend(Annotations& on, Index pieces, const std::vector<std::string>& names) {
   constexpr Index kMost = 12;
+  constexpr double kLegendLetters = 14.0; // of full size between the legend's boxes and the edge
   const double left = kLegendLeft * on.width();
   const double row = 1.7 * on.fontSize();
   double y = 0.75 * on.height();
-  on.text(left, y + 1.2 * row, pieces == 1 ? "1 piece" : std::to_string(pieces) + " pieces");
+  if (names.empty())
+    on.text(left, y + 1.2 * row, pieces == 1 ? "1 piece" : std::to_string(pieces) + " pieces");
   for (Index i = 0; i < std::min(pieces, kMost); ++i, y -= row) {
     on.box(left, y - 0.5 * on.fontSize(), 1.4 * on.fontSize(), on.fontSize(), pieceColor(i));
-    on.text(left + 2.0 * on.fontSize(), y, std::to_string(i), Annotations::Align::Left, 0.85);
+    const std::string name = static_cast<std::size_t>(i) < names.size() ? names[static_cast<std::size_t>(i)] : std::to_string(i);
+    const double fits = 0.85 * std::min(1.0, kLegendLetters / static_cast<double>(name.size()));
+    on.text(left + 2.0 * on.fontSize(), y, name, Annotations::Align::Left, fits);
   }
   if (pieces > kMost)
     on.text(left, y, "...");

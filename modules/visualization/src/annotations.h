@@ -35,7 +35,7 @@ private:
 void drawValueLegend(Annotations& on, const vtkLookupTable& colors, bool reversed, const std::string& name);
 
 /// One box with its number for each piece, at most twelve.
-void drawPieceLegend(Annotations& on, Index pieces);
+void drawPieceLegend(Annotations& on, Index pieces, const std::vector<std::string>& names);
 
 /// A bar of a round length in the lower left corner.
 /// \param[in] units_per_pixel size of a pixel in the units of x and y

@@ -245,7 +245,7 @@ void addSurface(vtkRenderer* plot, Annotations& notes, const TriangleMesh& mesh,
   }
   if (options.color_by == ColorBy::Piece) {
     plot->AddActor(surfaceActor(drawn, picture.space, nullptr, options.edges));
-    drawPieceLegend(notes, *std::max_element(mesh.piece.begin(), mesh.piece.end()) + 1);
+    drawPieceLegend(notes, *std::max_element(mesh.piece.begin(), mesh.piece.end()) + 1, options.piece_names);
     return;
   }
   const ValueColors colors = chooseColors(mesh, shown, options);

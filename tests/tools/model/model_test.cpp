@@ -59,6 +59,30 @@ TEST_F(ModelTool, DepthsStayDepths) {
   EXPECT_NEAR(whole, 1500.0 * 5600.0 * 5600.0, 0.01 * 1500.0 * 5600.0 * 5600.0);
 }
 
+TEST_F(ModelTool, IsCutToAPolygonUnderATopography) {
+  makeStack("--kind normal --picks 3000 --origin 461000,5931000,0", 200.0);
+  write("area.pol", "459000 5929000 0\n463000 5929400 0\n462500 5933000 0\n459200 5932500 0\n459000 5929000 0\n999 999 999\n");
+  std::string ground;
+  for (int x = 458000; x <= 464000; x += 100)
+    for (int y = 5928000; y <= 5934000; y += 100)
+      ground += std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(300.0 + 0.02 * (x - 461000)) + "\n";
+  write("ground.xyz", ground);
+  const Outcome outcome = run("model", kHorizons + " --fault sample/fault_1.ts --outline area.pol --top ground.xyz --base -700 --wall-size 900 --size 250 "
+                                                   "--fill 500 --extend-faults box --results model");
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const SealedMesh mesh = closedModel("model");
+  EXPECT_EQ(mesh.blocks.size(), 6U);
+  double volume = 0.0;
+  for (const SealedBlock& block : mesh.blocks)
+    volume += block.volume;
+  const double area = 0.5 * ((4000.0 * 4000.0 - 3500.0 * 400.0) + (3500.0 * 3500.0 - 200.0 * 4000.0));
+  EXPECT_NEAR(volume, 1000.0 * area, 0.01 * 1000.0 * area);
+  for (const char* name : {"allan_1_fault_1.png", "allan_1_fault_1.svg"})
+    EXPECT_EQ(names("model/faults").count(name), 1U) << name;
+  EXPECT_EQ(run("model", kHorizons + " --outline nowhere.pol --results m").code, 2);
+  EXPECT_EQ(run("model", kHorizons + " --top nowhere.xyz --results m").code, 2);
+}
+
 TEST_F(ModelTool, RefusesWhatIsNoStack) {
   makeStack("--kind normal --picks 2000", 200.0);
   const auto refused = [&](const std::string& arguments, const std::string& why, int code) {

@@ -28,7 +28,7 @@ std::vector<double> trueVolumes(const std::string& kind, double half, double low
     horizons.emplace_back(o);
   }
   constexpr int kColumns = 80;
-  constexpr int kSteps = 400;
+  constexpr int kSteps = 200;
   std::vector<double> volumes(4, 0.0);
   const double step = 2.0 * half / kColumns, up = (high - low) / kSteps;
   for (int j = 0; j < kColumns; ++j)
@@ -48,10 +48,10 @@ std::vector<double> trueVolumes(const std::string& kind, double half, double low
 
 TEST_P(SyntheticStack, IsClosedWithItsTrueBlocksAndVolumes) {
   const StackCase c = GetParam();
-  const auto made = run("synthesize", "--output s --horizons 3 --picks 4000 --overhang 700,700 --no-truth --quiet --kind " + c.kind);
+  const auto made = run("synthesize", "--output s --horizons 3 --picks 3000 --overhang 700,700 --no-truth --quiet --kind " + c.kind);
   ASSERT_EQ(made.code, 0) << made.errors;
   const auto outcome = run("model", "--horizon A=s/horizon.xyz B=s/horizon_2.xyz C=s/horizon_3.xyz --fault s/fault_*.ts --outline box:-2800,-2800,2800,2800 "
-                                    "--size 140 --top 500 --base -800 --results m");
+                                    "--size 180 --top 500 --base -800 --results m");
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const SealedMesh mesh = closedModel("m");
   EXPECT_EQ(mesh.blocks.size(), c.blocks) << outcome.output;

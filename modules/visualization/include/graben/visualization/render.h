@@ -46,6 +46,7 @@ struct RenderOptions {
   bool edges = false;                         ///< draw the triangles' edges
   std::optional<Bounds> zoom;                 ///< look at this part only (x and y are used)
   std::string title;
+  std::vector<std::string> piece_names;       ///< for the legend of ColorBy::Piece, by number; empty: the numbers
 };
 
 /// Draws a surface in parallel projection and writes it as PNG; the scale bar holds for every view.
