@@ -60,8 +60,8 @@ void validateSampling(const SyntheticOptions& o) {
 void validateFaults(const SyntheticOptions& o) {
   require(std::isfinite(o.max_throw) && std::abs(o.max_throw) <= 0.25 * o.size,
           "the throw must be at most a quarter of the size");
-  require(o.throw_variation >= 0.0 && o.throw_variation <= 1.0,
-          "the throw variation must be between 0 and 1");
+  require(o.throw_variation >= 0.0 && o.throw_variation <= 2.0,
+          "the throw variation must be between 0 and 2");
   require(o.dip >= 20.0 && o.dip <= 90.0, "the dip must be between 20 and 90 degrees");
   require(o.kind == SyntheticKind::Unfaulted || o.tilt == 0.0 || o.tilt <= o.dip - 5.0, "the horizon must dip 5 degrees less than its faults at least");
   require(o.bend >= 0.0 && o.bend <= 15.0, "the bend must be between 0 and 15 degrees");

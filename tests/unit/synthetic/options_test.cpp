@@ -30,7 +30,7 @@ TEST(SyntheticOptions, BadValuesAreRejected) {
       [](SyntheticOptions& o) { o.gap = -1.0; },
       [](SyntheticOptions& o) { o.smear = -1.0; },
       [](SyntheticOptions& o) { o.max_throw = 5000.0; },
-      [](SyntheticOptions& o) { o.throw_variation = 2.0; },
+      [](SyntheticOptions& o) { o.throw_variation = 2.1; },
       [](SyntheticOptions& o) { o.dip = 5.0; },
       [](SyntheticOptions& o) { o.dip = 91.0; },
       [](SyntheticOptions& o) { o.bend = 45.0; },

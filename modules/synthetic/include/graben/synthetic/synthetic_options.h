@@ -72,7 +72,8 @@ struct SyntheticOptions {
   double max_throw =
       100.0; ///< largest throw of a fault; negative: hanging wall up (kind Reverse negates it)
   double throw_variation = 0.3; ///< share of the throw lost from the fault's centre to the area's
-                                ///< edge, 0 to 1; not for faults with a tip
+                                ///< edge, 0 to 2; over 1 it turns round on the way, as at a scissor fault; not for
+                                ///< faults with a tip
   double dip = 60.0;            ///< degrees from horizontal, 20 to 90
   double fault_distance =
       0.0; ///< between the two faults of Conjugate, Parallel and Relay; 0: a share of the size
