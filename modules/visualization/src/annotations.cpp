@@ -108,8 +108,11 @@ void drawValueLegend(Annotations& on, const vtkLookupTable& colors, bool reverse
 
 void drawPieceLegend(Annotations& on, Index pieces, const std::vector<std::string>& names) {
   constexpr Index kMost = 12;
-  constexpr double kLegendLetters = 14.0; // of full size between the legend's boxes and the edge
-  const double left = kLegendLeft * on.width();
+  constexpr double kLetter = 0.55; // of the font's size
+  std::size_t longest = 0;
+  for (const std::string& name : names)
+    longest = std::max(longest, name.size());
+  const double left = std::min(kLegendLeft * on.width(), on.width() - (2.5 + kLetter * static_cast<double>(longest)) * on.fontSize());
   const double row = 1.7 * on.fontSize();
   double y = 0.75 * on.height();
   if (names.empty())
@@ -117,8 +120,7 @@ void drawPieceLegend(Annotations& on, Index pieces, const std::vector<std::strin
   for (Index i = 0; i < std::min(pieces, kMost); ++i, y -= row) {
     on.box(left, y - 0.5 * on.fontSize(), 1.4 * on.fontSize(), on.fontSize(), pieceColor(i));
     const std::string name = static_cast<std::size_t>(i) < names.size() ? names[static_cast<std::size_t>(i)] : std::to_string(i);
-    const double fits = 0.85 * std::min(1.0, kLegendLetters / static_cast<double>(name.size()));
-    on.text(left + 2.0 * on.fontSize(), y, name, Annotations::Align::Left, fits);
+    on.text(left + 2.0 * on.fontSize(), y, name, Annotations::Align::Left, 0.85);
   }
   if (pieces > kMost)
     on.text(left, y, "...");
