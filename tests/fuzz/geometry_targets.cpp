@@ -121,7 +121,7 @@ Points picksOf(Bytes& bytes) {
 }
 
 void reconstruct(Bytes& bytes) {
-  std::vector<FaultGeometry> faults;
+  std::vector<FaultInput> faults;
   for (int count = bytes.below(4); count > 0; --count) {
     if (bytes.below(2) == 0)
       faults.push_back({"F" + std::to_string(count), bytes.mesh(12)});
