@@ -6,8 +6,7 @@ int main() {
   auto picks = pcl::make_shared<Cloud>();
   for (const graben::Vector3& p : graben::readPicks("sample/horizon.xyz").points)
     picks->emplace_back(p.x(), p.y(), p.z(), 0, 0, 0);
-  const auto walls = graben::faultSurfaces(graben::readFaults("sample/fault_1.ts").front()).faults;
-  const auto faults = std::make_shared<const graben::FaultNetwork>(walls);
+  const auto faults = graben::FaultNetwork::fromFiles({"sample/fault_1.ts"});
 
   graben::WrongSidePicks<pcl::PointNormal> wrong_side;
   wrong_side.setInputCloud(picks);

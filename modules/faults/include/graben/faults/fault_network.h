@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/local_frame.h"
 #include "graben/faults/fault_boxes.h"
 #include "graben/faults/fault_surface.h"
 #include "graben/faults/pseudo_normals.h"
 #include "graben/mesh/triangle_bvh.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +65,16 @@ public:
   ///            against the faults as given
   /// \throw InvalidInputError if a fault has no triangles or coordinates that are not finite
   explicit FaultNetwork(std::vector<FaultSurface> faults, double branch_reach = 0.0);
+
+  /// The faults of files in one call, for setFaults() of the PCL classes: each file is read by readFaults(), each fault made a surface by faultSurfaces().
+  /// What was ignored, dropped or assumed goes to PCL_WARN. Part of the library graben::io, as it reads files.
+  /// \param[in] files paths; each may hold several faults
+  /// \param[in] frame that the network is to be in; as it stands: that of the files. For a cloud about an origin the frame with this origin
+  /// \param[in] branch_reach see the constructor
+  /// \throw IoError if a file cannot be read
+  /// \throw ParseError if a file holds no fault
+  /// \throw InvalidInputError if a fault cannot be made a surface
+  static std::shared_ptr<const FaultNetwork> fromFiles(const std::vector<std::string>& files, const LocalFrame& frame = {}, double branch_reach = 0.0);
 
   bool empty() const { return faults_.empty(); }
   std::size_t size() const { return faults_.size(); }
