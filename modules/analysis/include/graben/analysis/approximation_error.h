@@ -1,10 +1,12 @@
 #pragma once
 
 #include "graben/analysis/statistics.h"
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The nearest point of a surface for each pick, as far as figures need it: 12 bytes a pick.
@@ -43,3 +45,4 @@ std::vector<Index> zonePicks(const Points& picks, const FaultNetwork& network, d
                              unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 #include "graben/mesh/vertex_corners.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The triangles that join the two sides of a fault, in rising order; a cut surface has none.
@@ -33,3 +35,4 @@ std::vector<Index> bridgingTriangles(const TriangleMesh& mesh, const VertexCorne
                                      unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "graben/analysis/statistics.h"
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 struct CutoffDistanceOptions {
@@ -31,3 +33,4 @@ CutoffDistances cutoffDistances(const TriangleMesh& mesh, const std::vector<Poin
                                 const CutoffDistanceOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

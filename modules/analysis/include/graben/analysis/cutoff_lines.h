@@ -1,11 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 #include "graben/mesh/adjacency.h"
 
 #include <array>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Where one piece of a horizon meets one side of a fault.
@@ -31,3 +33,4 @@ std::vector<CutoffLine> cutoffLines(const TriangleMesh& mesh, const std::vector<
                                     const FaultNetwork* faults = nullptr, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

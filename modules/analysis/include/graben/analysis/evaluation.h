@@ -5,9 +5,11 @@
 #include "graben/analysis/surface_distance.h"
 #include "graben/analysis/topology.h"
 #include "graben/analysis/triangle_quality.h"
+#include "graben/core/export.h"
 
 #include <optional>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What a surface is measured against, all in one local frame (z up); empty: not measured.
@@ -76,3 +78,4 @@ SurfaceEvaluation evaluateSurface(const EvaluationInput& input,
                                   const EvaluationOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "graben/analysis/fault_throw.h"
+#include "graben/core/export.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The area in the map between a fault's two cutoffs.
@@ -27,3 +29,4 @@ struct FaultPolygonOptions {
 std::vector<FaultPolygon> faultPolygons(const std::vector<std::vector<ThrowSample>>& throws, const FaultPolygonOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

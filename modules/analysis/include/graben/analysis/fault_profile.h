@@ -1,9 +1,11 @@
 #pragma once
 
 #include "graben/analysis/fault_throw.h"
+#include "graben/core/export.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Standard deviations from P50 to P90 of a normal distribution.
@@ -55,3 +57,4 @@ struct FaultProfile {
 FaultProfile faultProfile(const std::vector<ThrowSample>& samples, std::size_t fault, const FaultNetwork& faults, double interval);
 
 } // namespace graben
+GRABEN_EXPORT_END

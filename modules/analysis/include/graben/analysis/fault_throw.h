@@ -1,9 +1,11 @@
 #pragma once
 
 #include "graben/analysis/cutoff_lines.h"
+#include "graben/core/export.h"
 
 #include <limits>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What keeps a throw from being representative.
@@ -63,3 +65,4 @@ struct ThrowSummary {
 ThrowSummary summarize(const std::vector<ThrowSample>& samples);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/vertex_corners.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A fold is an edge over which the surface turns by more than this, degrees.
@@ -43,3 +45,4 @@ std::vector<Index> trianglesAgainst(const TriangleMesh& mesh, const TriangleMesh
 std::vector<Index> trianglesFacingDown(const TriangleMesh& mesh);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <cstddef>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The place, from 0, of that value among \a count sorted ones, 1 or more, that at least the share \a q (0 to 1) of them does not exceed.
@@ -58,3 +61,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

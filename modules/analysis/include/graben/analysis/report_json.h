@@ -1,7 +1,9 @@
 #pragma once
 
 #include "graben/analysis/evaluation.h"
+#include "graben/core/export.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 // Figures as JSON, with fixed keys. Json is an nlohmann::ordered_json; the caller includes its
@@ -94,3 +96,4 @@ Json toJson(const SurfaceEvaluation& e) {
 }
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 #include "graben/mesh/adjacency.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 struct SealOptions {
@@ -44,3 +46,4 @@ SealReport checkSeal(const TriangleMesh& mesh, const FaultNetwork& network,
 SealReport checkSeal(const TriangleMesh& mesh, const EdgeAdjacency& adjacency, const FaultNetwork& network, const SealOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

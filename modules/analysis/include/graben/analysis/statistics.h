@@ -1,8 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <cstddef>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Distances in a few figures, in the unit of the coordinates; all zero where count is 0.
@@ -26,3 +29,4 @@ DistanceStatistics distanceStatistics(std::vector<double> distances, unsigned th
 double quantile(std::vector<double>& values, double q);
 
 } // namespace graben
+GRABEN_EXPORT_END

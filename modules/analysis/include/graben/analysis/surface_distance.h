@@ -1,10 +1,12 @@
 #pragma once
 
 #include "graben/analysis/statistics.h"
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 
 #include <optional>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 struct SurfaceDistanceOptions {
@@ -50,3 +52,4 @@ SurfaceDistances surfaceDistances(const TriangleMesh& mesh, const TriangleMesh& 
 Points sampleSurface(const TriangleMesh& mesh, std::size_t count);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/components.h"
 #include "graben/mesh/connections.h"
 
 #include <cstddef>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Components with fewer triangles than this are crumbs.
@@ -47,3 +49,4 @@ TopologyReport checkTopology(const TriangleMesh& mesh, unsigned threads = 0);
 TopologyReport checkTopology(const TriangleMesh& mesh, const MeshConnections& connections, const Components& components, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

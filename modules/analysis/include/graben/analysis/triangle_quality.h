@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 
 #include <cstddef>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Shapes of the triangles of a mesh; all zero for an empty mesh. A degenerate triangle has the
@@ -27,3 +29,4 @@ struct TriangleQuality {
 TriangleQuality triangleQuality(const TriangleMesh& mesh, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/unfinished_files.h"
 
 #include <cstddef>
@@ -7,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A file that appears under its name only when it is complete: written beside, then renamed.
@@ -61,3 +63,4 @@ std::string resolvedPath(const std::string& path);
 void checkWritable(const std::string& path);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// How a bed lies at one place, as measured in an outcrop, a well or on a section.
@@ -41,3 +43,4 @@ DipAzimuth dipAzimuthOf(const StrikeDip& bed);
 StrikeDip strikeDipOf(const DipAzimuth& bed);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <pcl/exceptions.h>
 
 #include <cstddef>
 #include <string>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Base of every error graben throws. Catching pcl::PCLException or std::runtime_error catches it too.
@@ -68,3 +71,4 @@ public:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

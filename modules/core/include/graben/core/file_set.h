@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/core/errors.h"
+#include "graben/core/export.h"
 #include "graben/core/unfinished_files.h"
 
 #include <optional>
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What a FileSet is told from other files of its folder by.
@@ -65,3 +67,4 @@ private:
 void checkFolderWritable(const std::string& folder);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <atomic>
 #include <exception>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Thrown by a job that was asked to stop; no error, and so no graben::Error.
@@ -30,3 +33,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

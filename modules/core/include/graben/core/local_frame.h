@@ -1,7 +1,9 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The frame all algorithms work in: near the origin, z up, z scaled so that distances make sense.
@@ -33,3 +35,4 @@ struct LocalFrame {
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

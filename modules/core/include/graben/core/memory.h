@@ -1,7 +1,10 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <cstddef>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What a job may take unless it is told otherwise: three quarters of the machine's memory, in bytes; 0 where that cannot be found out.
@@ -15,3 +18,4 @@ std::size_t peakResidentMemory();
 void releaseFreeMemory();
 
 } // namespace graben
+GRABEN_EXPORT_END

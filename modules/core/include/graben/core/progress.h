@@ -1,8 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <functional>
 #include <string>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What a long job is doing: the name of its stage and how much of that stage is done, 0 to 1.
@@ -18,3 +21,4 @@ using ProgressCallback = std::function<void(const Progress&)>;
 void report(const ProgressCallback& callback, const std::string& stage, double fraction);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <algorithm>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Puts values into rising order, each once.
@@ -13,3 +16,4 @@ void sortUnique(std::vector<Value>& values) {
 }
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/interruption.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <mutex>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The number of threads to use for a request; 0 asks for one per processor.
@@ -70,3 +72,4 @@ std::vector<Item> joinBlocks(std::size_t count, std::size_t grain, unsigned thre
 }
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The largest 1, 2 or 5 times a power of ten that is not above \a value (positive).
@@ -15,3 +18,4 @@ std::vector<double> niceTicks(double low, double high, int count);
 std::string tickText(double value, double step);
 
 } // namespace graben
+GRABEN_EXPORT_END

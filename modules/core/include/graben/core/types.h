@@ -1,11 +1,14 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <Eigen/Core>
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A point or direction in double precision; on input and output in the user's frame, inside the
@@ -25,3 +28,4 @@ enum class ZPositive {
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <mutex>
 #include <string>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Puts a temporary file or folder of this process down for removeUnfinishedFiles(), for as long as the object lives.
@@ -30,3 +33,4 @@ std::unique_lock<std::mutex> holdUnfinishedFiles();
 std::unique_lock<std::mutex> removeUnfinishedFiles();
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_surface.h"
 
 #include <functional>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The fault continued up and down by \a distance along its local dip, for faults whose sticks stop
@@ -37,3 +39,4 @@ using GoesOn = std::function<bool(const Points& end, const Points& outward)>;
 FaultSurface extendedAlongStrike(const FaultSurface& fault, double distance, const GoesOn& goes_on);
 
 } // namespace graben
+GRABEN_EXPORT_END

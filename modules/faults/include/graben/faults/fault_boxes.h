@@ -1,11 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 #include "graben/mesh/bounds.h"
 
 #include <array>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A tree over the boxes of faults, so that of many only those near a place are asked.
@@ -88,3 +90,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/local_frame.h"
 #include "graben/faults/fault_lofting.h"
 
@@ -7,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A fault as its file has it or as a program makes it, in the user's frame: a mesh, or sticks to be lofted.
@@ -24,3 +26,4 @@ struct FaultInput {
 LoftedFaults faultSurfaces(const FaultInput& fault, const LocalFrame& frame = {}, const LoftOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_surface.h"
 #include "graben/mesh/bounds.h"
 
 #include <optional>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// How a fault goes down from its trace on a map.
@@ -48,3 +50,4 @@ LoftedFaults loftFaults(const std::string& name, const std::vector<FaultStick>& 
 LoftedFaults meshedFault(const std::string& name, const TriangleMesh& mesh, const LoftOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

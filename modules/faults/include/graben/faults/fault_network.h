@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/local_frame.h"
 #include "graben/faults/fault_boxes.h"
 #include "graben/faults/fault_surface.h"
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Where a segment crosses a fault.
@@ -134,3 +136,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 
 #include <cstdint>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Which faults lie between two points, as one number: 0 if none, otherwise an exclusive-or of one random-looking number per fault that the
@@ -19,3 +21,4 @@ inline bool sameSide(const FaultNetwork& faults, const Vector3& a, const Vector3
 }
 
 } // namespace graben
+GRABEN_EXPORT_END

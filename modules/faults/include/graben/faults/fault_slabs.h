@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 
 #include <cstdint>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The parallel planes that hold each fault where it passes through a box: a cheap way to see that no fault lies between two places in that box, for those
@@ -49,3 +51,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A fault stick: a polyline down a fault surface, as digitised on one section; 2 points or more.
@@ -54,3 +56,4 @@ struct StickOrder {
 StickOrder orderSticks(const std::vector<FaultStick>& sticks);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What to tell a user whose faults have no effect on his data.
@@ -15,3 +17,4 @@ std::string faultsWithoutEffect(const FaultNetwork& faults, const Bounds& data, 
 std::string faultsOutOfReach(const FaultNetwork& faults, const Bounds& data, double reach, const std::string& what);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_bvh.h"
 #include "graben/mesh/triangle_mesh.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Angle-weighted normals of faces, edges and corners, which give the side of a surface right
@@ -42,3 +44,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

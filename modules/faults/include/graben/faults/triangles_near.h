@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The triangles whose boxes, \a reach larger on every side, overlap the box of a fault's triangle, in rising order: at least all triangles within the
@@ -12,3 +14,4 @@ namespace graben {
 std::vector<Index> trianglesNear(const FaultNetwork& network, const TriangleMesh& mesh, double reach, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

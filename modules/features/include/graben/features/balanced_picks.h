@@ -1,8 +1,10 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 #include "graben/features/pick_layout.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A cloud in which no direction outvotes another: where picks lie along lines, one point stands for those of a short stretch of line.
@@ -20,3 +22,4 @@ struct BalancedPicks {
 BalancedPicks balancedPicks(const NeighborGrid& grid, const PickLayout& layout, const FaultNetwork& faults, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/features/orientation.h"
 #include "graben/features/sampling.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Which way normals are turned.
@@ -42,3 +44,4 @@ CloudNormals estimateCloudNormals(const Points& surface, const FaultNetwork& fau
                                   const Points* places = nullptr);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/features/cloud_normals.h"
 
 #include <pcl/features/normal_3d_omp.h>
@@ -7,6 +8,7 @@
 #include <memory>
 #include <string>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// How the last compute() of a FaultConstrainedNormalEstimation went.
@@ -132,6 +134,7 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END
 
 #ifdef PCL_NO_PRECOMPILE
 #include "graben/features/impl/fault_constrained_normal_estimation.hpp"

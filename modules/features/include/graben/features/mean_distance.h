@@ -1,7 +1,9 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/features/neighbor_grid.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Mean distance from pick to pick where picks are, robust against dense patches and holes: the
@@ -14,3 +16,4 @@ namespace graben {
 double meanPickDistance(const NeighborGrid& grid, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

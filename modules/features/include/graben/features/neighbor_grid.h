@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 #include "graben/mesh/bounds.h"
 
@@ -7,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A pick found by a neighbour query.
@@ -132,3 +134,4 @@ private:
 std::vector<Index> spaceOrder(const Points& points, unsigned threads = 0, GridKeys* keys = nullptr);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/features/tangent_planes.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 enum class OrientationMethod {
@@ -47,3 +49,4 @@ OrientationResult orientNormals(const NeighborGrid& grid, const FaultNetwork& fa
                                 const OrientationOptions& options, Points& normals);
 
 } // namespace graben
+GRABEN_EXPORT_END

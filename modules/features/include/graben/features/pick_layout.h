@@ -1,7 +1,9 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/features/neighbor_grid.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// How picks lie: densely in all directions, or along lines (seismic lines, contours) with nothing between them.
@@ -25,3 +27,4 @@ struct PickLayout {
 PickLayout pickLayout(const NeighborGrid& grid, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/features/neighbor_grid.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// How densely and how exactly a cloud samples its surface, estimated from the picks themselves;
@@ -31,3 +33,4 @@ struct Sampling {
 Sampling estimateSampling(const NeighborGrid& grid, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 #include "graben/features/neighbor_grid.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The tangent plane of every pick: where it is and which way it faces.
@@ -73,3 +75,4 @@ TangentPlanes estimateTangentPlanesAt(const NeighborGrid& grid, const FaultNetwo
                                       const TangentPlaneOptions& options, const Points& places);
 
 } // namespace graben
+GRABEN_EXPORT_END

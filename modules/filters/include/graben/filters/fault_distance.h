@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A point near a fault.
@@ -31,3 +33,4 @@ std::vector<Index> picksWithin(const Points& points, const FaultNetwork& faults,
 std::vector<double> distancesToFaults(const Points& points, const FaultNetwork& faults, double limit, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 
 #include <pcl/filters/filter_indices.h>
@@ -7,6 +8,7 @@
 #include <memory>
 #include <string>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// How the last filter() of a filter went: an empty output alone does not say.
@@ -90,6 +92,7 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END
 
 #ifdef PCL_NO_PRECOMPILE
 #include "graben/filters/impl/fault_filter.hpp"

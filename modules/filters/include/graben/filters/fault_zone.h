@@ -1,7 +1,9 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/filters/fault_filter.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /** \brief Keeps the points near faults (the paper's discontinuous area); negative: those away from
@@ -40,6 +42,7 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END
 
 #ifdef PCL_NO_PRECOMPILE
 #include "graben/filters/impl/fault_zone.hpp"

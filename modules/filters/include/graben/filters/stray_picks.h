@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 #include "graben/features/neighbor_grid.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 struct StrayOptions {
@@ -20,3 +22,4 @@ struct StrayOptions {
 std::vector<Index> strayPicks(const NeighborGrid& grid, const FaultNetwork& faults, const std::vector<Index>& among, const StrayOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

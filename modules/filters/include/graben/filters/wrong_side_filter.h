@@ -1,8 +1,10 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/filters/fault_filter.h"
 #include "graben/filters/wrong_side_picks.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /** \brief Removes picks on the wrong side of a fault or smeared along it, see findWrongSidePicks();
@@ -49,6 +51,7 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END
 
 #ifdef PCL_NO_PRECOMPILE
 #include "graben/filters/impl/wrong_side_filter.hpp"

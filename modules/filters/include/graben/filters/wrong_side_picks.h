@@ -1,11 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 #include "graben/features/neighbor_grid.h"
 
 #include <cstdint>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What is known against a pick.
@@ -76,3 +78,4 @@ WrongSideResult findWrongSidePicks(const NeighborGrid& grid, const FaultNetwork&
                                    const WrongSideOptions& options = {}, const KnownNearFaults& known = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "graben/core/dip.h"
+#include "graben/core/export.h"
 #include "graben/io/pick_reader.h"
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The dip measurements of a file: places as the file has them, normals pointing up.
@@ -36,3 +38,4 @@ struct DipSet {
 DipSet readDips(const std::string& path, const ReadOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

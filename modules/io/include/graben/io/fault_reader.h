@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_input.h"
 
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Reads the faults of a file, in file order; at least one.
@@ -21,3 +23,4 @@ namespace graben {
 std::vector<FaultInput> readFaults(const std::string& path);
 
 } // namespace graben
+GRABEN_EXPORT_END

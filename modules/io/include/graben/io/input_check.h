@@ -1,11 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/io/fault_reader.h"
 #include "graben/io/pick_set.h"
 
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What is known of the input beside the files.
@@ -34,3 +36,4 @@ struct InputFindings {
 InputFindings checkInput(PickSet& picks, const std::vector<FaultInput>& faults, const InputCheckOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A triangle mesh as its file has it, in the user's frame.
@@ -35,3 +37,4 @@ std::vector<MeshInput> readMeshes(const std::string& path);
 TriangleMesh readMesh(const std::string& path, std::vector<std::string>* warnings = nullptr);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 
 #include <optional>
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What a mesh file says beside the mesh.
@@ -62,3 +64,4 @@ void writePlyPoints(const std::string& path, const Points& points, const Points&
 const std::vector<std::string>& meshWriteExtensions();
 
 } // namespace graben
+GRABEN_EXPORT_END

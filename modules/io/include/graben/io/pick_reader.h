@@ -1,12 +1,14 @@
 #pragma once
 
 #include "graben/core/errors.h"
+#include "graben/core/export.h"
 #include "graben/core/progress.h"
 #include "graben/io/pick_set.h"
 
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A file holds several horizons and none was asked for.
@@ -73,3 +75,4 @@ struct PickSource {
 PickSource splitPickSource(const std::string& argument);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A z value that stood for "no data" and how many rows had it.
@@ -35,3 +37,4 @@ struct PickSet {
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

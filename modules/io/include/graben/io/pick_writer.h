@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 #include "graben/faults/fault_surface.h"
 
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Points with what is known of them, for writePcd.
@@ -86,3 +88,4 @@ void writeStickTable(const std::string& path, const std::vector<NamedSticks>& fa
 void writePol(const std::string& path, const std::vector<FaultStick>& sticks);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 
 #include <Eigen/Geometry>
@@ -13,6 +14,7 @@ namespace pcl {
 struct PCLPointCloud2;
 }
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Where a cloud was taken from, as VIEWPOINT of a PCD.
@@ -56,3 +58,4 @@ PlyCloudReport writePlyCloud(const std::string& path, const pcl::PCLPointCloud2&
                              const PlyCloudOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

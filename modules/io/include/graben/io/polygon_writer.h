@@ -1,11 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 
 #include <string>
 #include <utility>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A polygon of a map, with what is known of it.
@@ -30,3 +32,4 @@ void writeGeoJsonLines(const std::string& path, const std::vector<MapPolygon>& l
 void writeShapefile(const std::string& path, const std::vector<MapPolygon>& polygons);
 
 } // namespace graben
+GRABEN_EXPORT_END

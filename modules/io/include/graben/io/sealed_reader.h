@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/sealed_mesh.h"
 
 #include <string>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A closed model read back from the results folder of graben_model.
@@ -19,3 +21,4 @@ struct SealedInput {
 SealedInput readSealed(const std::string& path);
 
 } // namespace graben
+GRABEN_EXPORT_END

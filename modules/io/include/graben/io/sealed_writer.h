@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/io/mesh_writer.h"
 #include "graben/mesh/sealed_mesh.h"
 
 #include <string>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Writes a sealed mesh for gmsh: format 4.1, double precision text, a discrete entity for each corner, line and patch, and a physical group for each
@@ -22,3 +24,4 @@ void writeModel3d(const std::string& path, const SealedMesh& mesh, const MeshWri
 void writeMultiblock(const std::string& path, const SealedMesh& mesh);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <string>
 #include <variant>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A named column of a table: numbers or texts.
@@ -29,3 +32,4 @@ struct TableWriteOptions {
 void writeTable(const std::string& path, const std::vector<TableColumn>& columns, const TableWriteOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

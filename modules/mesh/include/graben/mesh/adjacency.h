@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/vertex_corners.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Which triangles meet at each edge. Edge e of triangle t runs from vertex e to vertex (e + 1) % 3
@@ -40,3 +42,4 @@ std::vector<std::vector<Index>> borderLoops(const TriangleMesh& mesh,
                                             const EdgeAdjacency& adjacency);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 
 #include <limits>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Axis-aligned box; empty until extended.
@@ -31,3 +33,4 @@ struct Bounds {
 Bounds boundsOf(const Points& points, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 
+GRABEN_EXPORT_BEGIN
 namespace graben::detail {
 
 /// Node of a TriangleBvh: the boxes of up to four children in units of the hierarchy, rounded to the nearest float. Plain numbers, for
@@ -21,3 +24,4 @@ struct alignas(16) BvhNode {
 };
 
 } // namespace graben::detail
+GRABEN_EXPORT_END

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Connected components of a mesh, joined over shared vertices; numbered by falling triangle count,
@@ -24,3 +26,4 @@ Components labelPieces(TriangleMesh& mesh, unsigned threads = 0);
 std::vector<TriangleMesh> splitComponents(const TriangleMesh& mesh, const Components& components);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/adjacency.h"
 #include "graben/mesh/vertex_corners.h"
 
 #include <utility>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What hangs on a mesh's triangles alone and serves one stage after the other: it holds until triangles are added, removed or turned round,
@@ -24,3 +26,4 @@ struct MeshConnections {
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

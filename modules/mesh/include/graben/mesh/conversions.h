@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/sealed_mesh.h"
 #include "graben/mesh/triangle_mesh.h"
 
 #include <pcl/PolygonMesh.h>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The mesh as PCL holds it: float32 x y z, normal_x normal_y normal_z where there are normals,
@@ -27,3 +29,4 @@ void toPolygonMesh(const SealedMesh& mesh, Index block, const Vector3& origin, p
 TriangleMesh fromPolygonMesh(const pcl::PolygonMesh& mesh);
 
 } // namespace graben
+GRABEN_EXPORT_END

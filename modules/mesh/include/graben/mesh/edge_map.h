@@ -1,11 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What belongs to pairs of indices, such as edges, whichever of the two comes first: an index for each pair. Open addressing; O(1) in practice.
@@ -80,3 +82,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/bounds.h"
 #include "graben/mesh/tetrahedron_mesh.h"
 
 #include <functional>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A box filled with tetrahedra: fine where they are wanted so, up to 32 times as coarse elsewhere, and conforming in between.
@@ -23,3 +25,4 @@ struct GradedBoxOptions {
 TetrahedronMesh gradedBox(const GradedBoxOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 
 #include <memory>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 namespace detail {
@@ -37,3 +39,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 #include "graben/mesh/vertex_corners.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Twice the area of a triangle times its unit normal (zero for a degenerate one).
@@ -20,3 +22,4 @@ void computeVertexNormals(TriangleMesh& mesh, const VertexCorners& corners, unsi
 void updateVertexNormals(TriangleMesh& mesh, const VertexCorners& corners, const std::vector<Index>& vertices, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

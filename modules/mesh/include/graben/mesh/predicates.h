@@ -1,7 +1,9 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Exact signs: what double precision cannot settle is computed again without rounding (floating-point expansions; Shewchuk, Adaptive Precision
@@ -18,3 +20,4 @@ int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
 bool trianglesIntersect(const Points& points, const Triangle& a, const Triangle& b);
 
 } // namespace graben
+GRABEN_EXPORT_END

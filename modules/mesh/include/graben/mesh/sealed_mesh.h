@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 enum class SealedSurfaceKind {
@@ -85,3 +87,4 @@ struct SealedCheck {
 SealedCheck checkSealed(const SealedMesh& mesh, std::size_t most = 100, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 #include "graben/mesh/edge_map.h"
 
@@ -7,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 using Tetrahedron = std::array<Index, 4>;
@@ -77,3 +79,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/bounds.h"
 #include "graben/mesh/triangle_mesh.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The box of a triangle.
@@ -14,3 +16,4 @@ inline Bounds boundsOf(const TriangleMesh& mesh, const Triangle& triangle) {
 }
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/bounds.h"
 #include "graben/mesh/bvh_node.h"
 #include "graben/mesh/triangle_mesh.h"
@@ -8,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 namespace detail {
@@ -121,3 +123,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 
 #include <map>
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The indexed triangle mesh that passes between the stages, in double precision.
@@ -40,3 +42,4 @@ void flipOrientation(TriangleMesh& mesh);
 void validate(const TriangleMesh& mesh, const std::string& stage, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 
 #include <cstdint>
 #include <memory>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The corners of a mesh's triangles grouped by vertex. Corner e of triangle t has the index 3 t + e, as the half-edge that starts there (see
@@ -30,3 +32,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

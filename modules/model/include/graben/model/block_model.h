@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/progress.h"
 #include "graben/faults/fault_network.h"
 #include "graben/mesh/bounds.h"
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What a horizon does where it and the next one below would cross.
@@ -69,3 +71,4 @@ struct BlockModel {
 BlockModel buildBlockModel(const std::vector<StackHorizon>& horizons, const FaultNetwork& faults, const BlockModelOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

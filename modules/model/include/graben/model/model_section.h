@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/sealed_mesh.h"
 
 #include <limits>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 using SectionPoint2 = Eigen::Vector2d; ///< distance along the section, z
@@ -50,3 +52,4 @@ struct ModelSection {
 ModelSection cutModel(const SealedMesh& model, const std::vector<Eigen::Vector2d>& line, bool z_down = false);
 
 } // namespace graben
+GRABEN_EXPORT_END

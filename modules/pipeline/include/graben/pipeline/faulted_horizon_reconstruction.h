@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/pipeline/horizon_reconstruction.h"
 #include "graben/surface/surface_status.h"
 
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /** \brief The whole job as a PCL class: a cloud of picks and the faults in, the faulted horizon out, as
@@ -131,6 +133,7 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END
 
 #ifdef PCL_NO_PRECOMPILE
 #include "graben/pipeline/impl/faulted_horizon_reconstruction.hpp"

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/pipeline/horizon_reconstruction.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Makes the surface once more without a tenth of the picks, and measures how far those lie from it: what the surface says where it was not told.
@@ -15,3 +17,4 @@ void measureHeldOut(ReconstructionResult& result, const std::vector<FaultInput>&
                     const ReconstructionOptions& job);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/pipeline/horizon_reconstruction.h"
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/PolygonMesh.h>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// For each vertex of a reconstruction's mesh the nearest pick of its own side that was not set aside, -1 where there is none.
@@ -19,3 +21,4 @@ void toPolygonMesh(const TriangleMesh& mesh, const pcl::PCLPointCloud2& carried,
 std::vector<pcl::PolygonMesh> piecesOf(const TriangleMesh& mesh, const pcl::PCLPointCloud2& carried);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -3,6 +3,7 @@
 #include "graben/analysis/fault_polygons.h"
 #include "graben/analysis/fault_profile.h"
 #include "graben/core/dip.h"
+#include "graben/core/export.h"
 #include "graben/core/local_frame.h"
 #include "graben/core/progress.h"
 #include "graben/faults/fault_input.h"
@@ -17,6 +18,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What the surface is to cover.
@@ -111,3 +113,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/model/block_model.h"
 #include "graben/pipeline/horizon_reconstruction.h"
 #include "graben/pipeline/prepared_faults.h"
 
 #include <optional>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A horizon of a model as the user gives it, in the user's frame.
@@ -76,3 +78,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

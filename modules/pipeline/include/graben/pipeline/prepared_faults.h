@@ -1,8 +1,10 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/local_frame.h"
 #include "graben/faults/fault_network.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Faults made ready once for several horizons, and the frame they are in.
@@ -12,3 +14,4 @@ struct PreparedFaults {
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/pipeline/horizon_reconstruction.h"
 
 #include <cstdint>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 struct RealizationOptions {
@@ -26,3 +28,4 @@ void realizeThrows(ReconstructionResult& result, const std::vector<FaultInput>& 
                    const RealizationOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -5,6 +5,7 @@
 #include "graben/analysis/seal.h"
 #include "graben/analysis/topology.h"
 #include "graben/analysis/triangle_quality.h"
+#include "graben/core/export.h"
 #include "graben/features/sampling.h"
 
 #include <map>
@@ -12,6 +13,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 struct StageTiming {
@@ -150,3 +152,4 @@ struct ReconstructionReport {
 std::string toJson(const ReconstructionReport& report, bool with_timings = true);
 
 } // namespace graben
+GRABEN_EXPORT_END

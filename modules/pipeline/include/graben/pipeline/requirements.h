@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/pipeline/reconstruction_report.h"
 
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A demand on one figure of the report: `rms<5`.
@@ -25,3 +27,4 @@ std::vector<Requirement> parseRequirements(const std::string& text);
 std::vector<std::string> unmetRequirements(const std::vector<Requirement>& requirements, const ReconstructionReport& report);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Steps of a reconstruction to leave out, to see what each one does. None is left out by default; the surface is worse without any of them.
@@ -35,3 +38,4 @@ bool skipStep(SkippedSteps& skip, const std::string& name);
 std::vector<std::string> names(const SkippedSteps& skip);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/progress.h"
 #include "graben/pipeline/reconstruction_report.h"
 
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Times stages one after another and tells the progress callback where the job is.
@@ -26,3 +28,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <pcl/PCLPointField.h>
 #include <pcl/common/io.h>
 
@@ -8,6 +10,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben::detail {
 
 /// Whether points have fields beyond place, normal and curvature, which a surface has of its own.
@@ -19,3 +22,4 @@ bool hasFieldsToCarry() {
 }
 
 } // namespace graben::detail
+GRABEN_EXPORT_END

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Removes the connected components with fewer than \a least triangles, unless that leaves nothing.
@@ -44,3 +46,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

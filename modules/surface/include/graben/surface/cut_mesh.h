@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 
 #include <array>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A mesh cut along faults, and which of its vertices belong to which faults.
@@ -26,3 +28,4 @@ struct CutMesh {
 std::vector<Index> removeUnreferencedVertices(CutMesh& cut, unsigned threads = 1);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/surface/sheet_extraction.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 struct DataBorderOptions {
@@ -19,3 +21,4 @@ struct DataBorderOptions {
 void trimToData(SheetMesh& sheets, const SignedDistance& field, const DataBorderOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 
 #include <cstddef>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What a surface is made with unless told otherwise, in the pipeline and in HoppeMarchingCubes.
@@ -22,3 +24,4 @@ constexpr std::size_t kCrumb = 20; ///< components with fewer triangles are left
 } // namespace surface_defaults
 
 } // namespace graben
+GRABEN_EXPORT_END

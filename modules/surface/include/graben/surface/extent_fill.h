@@ -1,8 +1,10 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/surface/local_fit.h"
 #include "graben/surface/map_outline.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What a surface is to cover beyond the picks' surroundings.
@@ -38,3 +40,4 @@ ExtentFill fillExtent(const LocalFit& fit, const ExtentFillOptions& options);
 double farthestBeyondPicks(const Points& picks, const MapOutline& outline);
 
 } // namespace graben
+GRABEN_EXPORT_END

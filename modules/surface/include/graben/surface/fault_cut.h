@@ -1,8 +1,10 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/surface/cut_mesh.h"
 #include "graben/surface/sheet_extraction.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 struct FaultCutOptions {
@@ -25,3 +27,4 @@ CutMesh cutAlongFaults(const TriangleMesh& mesh, const FaultNetwork& faults, con
 CutMesh cutSheets(SheetMesh sheets, const FaultNetwork& faults, const FaultCutOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

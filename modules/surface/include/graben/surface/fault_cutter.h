@@ -1,8 +1,10 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/surface/fault_cut.h"
 #include "graben/surface/fault_mesh_processing.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /** \brief Cuts a mesh along faults (the paper's section 5: discontinuous pieces); see
@@ -26,3 +28,4 @@ protected:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 #include "graben/surface/cut_mesh.h"
 #include "graben/surface/surface_status.h"
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /** \brief A pcl::MeshProcessing that works on a mesh and faults: what the classes that cut and fit
@@ -83,3 +85,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/surface/local_fit.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 struct FaultRampOptions {
@@ -28,3 +30,4 @@ struct FaultRamp {
 std::vector<FaultRamp> findFaultRamps(const LocalFit& fit, const FaultRampOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

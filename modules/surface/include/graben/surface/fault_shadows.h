@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/surface/local_fit.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Lengths are in the picks' units; 0 stands for the estimate named.
@@ -43,3 +45,4 @@ struct FaultShadowFill {
 FaultShadowFill fillFaultShadows(const LocalFit& fit, const FaultShadowOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

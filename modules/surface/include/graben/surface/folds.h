@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 #include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The triangles whose normal stands out by more than 45 degrees from that of one of their corners, in rising order: few in a good mesh.
@@ -28,3 +30,4 @@ void relaxTriangles(CutMesh& cut, const VertexCorners& corners, const std::vecto
 void relaxAlongFaults(CutMesh& cut, const VertexCorners& corners, const std::vector<Index>& triangles, const FaultNetwork& faults);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/surface/local_fit.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 struct DeviationOptions {
@@ -20,3 +22,4 @@ struct DeviationOptions {
 std::vector<float> heightDeviation(const CutMesh& cut, const VertexCorners& corners, const LocalFit& fit, const DeviationOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

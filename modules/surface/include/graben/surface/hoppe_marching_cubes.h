@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/features/neighbor_grid.h"
 #include "graben/surface/hoppe_surface.h"
 #include "graben/surface/surface_status.h"
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /** \brief Marching cubes on Hoppe's signed distance, on a sparse narrow band; a
@@ -183,6 +185,7 @@ public:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END
 
 #ifdef PCL_NO_PRECOMPILE
 #include "graben/surface/impl/hoppe_marching_cubes.hpp"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 #include "graben/surface/cut_mesh.h"
 #include "graben/surface/defaults.h"
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// How a surface is made from points with normals; lengths in the points' units, 0 means estimated.
@@ -61,3 +63,4 @@ HoppeSurface hoppeSurface(const Points& points, const Points& normals, const Fau
                           const HoppeSurfaceOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 
 #include <array>
 #include <cstdint>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Integer position on the global lattice.
@@ -71,3 +73,4 @@ constexpr std::array<LatticeIndex, 6> kFaceNeighbor = {
 } // namespace cube
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/features/tangent_planes.h"
 #include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <memory>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 class FaultBorders;
@@ -172,3 +174,4 @@ void refine(CutMesh& cut, const LocalFit& fit, const RefineOptions& options);
 void refine(CutMesh& cut, const VertexCorners& corners, const LocalFit& fit, const RefineOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

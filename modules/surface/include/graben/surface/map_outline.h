@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 #include "graben/surface/sheet_extraction.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// An area of the map (x and y; z is not looked at), bounded by rings: a place in an odd number of them is inside. Thread-safe to ask.
@@ -33,3 +35,4 @@ private:
 void clipToOutline(SheetMesh& sheets, const MapOutline& outline, double overhang, unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

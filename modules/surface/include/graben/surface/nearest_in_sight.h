@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 #include "graben/features/neighbor_grid.h"
 #include "graben/mesh/vertex_corners.h"
@@ -7,6 +8,7 @@
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// The nearest pick that no fault hides from a vertex: the nearest of its own side.
@@ -21,3 +23,4 @@ std::vector<Index> picksOfVertices(const CutMesh& cut, const VertexCorners& corn
                                    unsigned threads = 0);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_network.h"
 #include "graben/features/neighbor_grid.h"
 #include "graben/mesh/vertex_corners.h"
@@ -7,6 +8,7 @@
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 struct PlateFitOptions {
@@ -37,3 +39,4 @@ struct PlateFitResult {
 PlateFitResult fitPlate(CutMesh& cut, const VertexCorners& corners, const Points& picks, const FaultNetwork& faults, const PlateFitOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

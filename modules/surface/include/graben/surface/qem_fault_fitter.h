@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/features/cloud_normals.h"
 #include "graben/surface/fault_cutter.h"
 #include "graben/surface/fault_mesh_processing.h"
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <functional>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /** \brief The paper's fit (section 5): moves the vertices near faults to where the quadrics of the
@@ -138,3 +140,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A quadric error metric (Garland and Heckbert 1997; the paper's section 4): the sum of squared distances to a set of planes, as the symmetric
@@ -30,3 +32,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/progress.h"
 #include "graben/mesh/triangle_mesh.h"
 #include "graben/surface/lattice.h"
 #include "graben/surface/signed_distance.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 struct ExtractionOptions {
@@ -51,3 +53,4 @@ struct SheetMesh {
 SheetMesh extractSheets(const SignedDistance& field, const ExtractionOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

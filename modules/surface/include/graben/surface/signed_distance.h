@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/features/tangent_planes.h"
 #include "graben/faults/fault_signature.h"
 
@@ -7,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 class FaultBorders;
@@ -102,3 +104,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "graben/core/export.h"
+
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// How the last run of a surface class went: an empty mesh alone does not say.
@@ -10,3 +13,4 @@ enum class SurfaceStatus {
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

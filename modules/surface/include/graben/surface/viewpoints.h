@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// From where the vertices of a mesh ask on which side of the faults a pick lies: those on a fault from a place just inside the mesh beside them, all
@@ -25,3 +27,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/features/tangent_planes.h"
 #include "graben/mesh/vertex_corners.h"
 #include "graben/surface/cut_mesh.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 enum class FitMode {
@@ -44,3 +46,4 @@ ZoneFitResult fitZone(CutMesh& cut, const VertexCorners& corners, const Neighbor
                       const ZoneFitOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/fault_surface.h"
 #include "graben/mesh/triangle_mesh.h"
 #include "graben/synthetic/synthetic_options.h"
 
 #include <memory>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A pick and where it came from.
@@ -109,3 +111,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

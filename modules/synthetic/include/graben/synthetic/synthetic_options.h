@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/local_frame.h"
 #include "graben/synthetic/synthetic_sampling.h"
 
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What a synthetic horizon is cut by.
@@ -111,3 +113,4 @@ struct SyntheticOptions {
 void validate(const SyntheticOptions& options);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <array>
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// How the picks of a synthetic horizon lie on the map.
@@ -36,3 +39,4 @@ struct SyntheticSampling {
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

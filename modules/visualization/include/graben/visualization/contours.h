@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A line of equal value on a surface.
@@ -22,3 +24,4 @@ struct ContourLine {
 std::vector<ContourLine> contourLines(const TriangleMesh& mesh, const std::vector<double>& values, const std::vector<double>& levels);
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/visualization/map_picture.h"
 
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What a fault does to one horizon along its strike, for diagrams: arrays of one length.
@@ -36,3 +38,4 @@ void drawThrowProfile(const std::string& stem, const FaultCurve& curve, const Di
 void drawAllanDiagram(const std::string& stem, const std::vector<FaultCurve>& horizons, const DiagramOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 #include "graben/visualization/map_picture.h"
 
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A per-vertex field that the view can be coloured by.
@@ -76,3 +78,4 @@ void writeHtmlReport(const std::string& path, const HtmlReport& report);
 std::string htmlText(const std::string& text);
 
 } // namespace graben
+GRABEN_EXPORT_END

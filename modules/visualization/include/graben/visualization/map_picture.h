@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 #include "graben/visualization/picture_formats.h"
 
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// Names of the units of the coordinates, and which way z grows.
@@ -64,3 +66,4 @@ struct MapOptions {
 void drawMap(const std::string& stem, const MapScene& scene, const MapOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 #include "graben/visualization/map_picture.h"
 
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What to draw, in one frame (the user's); must stay alive while it is drawn.
@@ -32,3 +34,4 @@ struct ObliqueOptions {
 void drawOblique(const std::string& stem, const ObliqueScene& scene, const ObliqueOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
+
 #include <memory>
 #include <string>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A display to draw pictures on: the one named by DISPLAY where it works, otherwise a private Xvfb that lives as long as this object.
@@ -31,3 +34,4 @@ private:
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "graben/core/export.h"
+
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What two-dimensional pictures are written as; SVG and PDF are drawn of lines and letters and can be edited.
@@ -10,3 +13,4 @@ struct PictureFormats {
 };
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/bounds.h"
 #include "graben/mesh/triangle_mesh.h"
 #include "graben/visualization/offscreen.h"
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// What to draw. Everything is optional, in one frame (the user's), and must stay alive while it is drawn.
@@ -59,3 +61,4 @@ void renderSurface(const Offscreen& screen, const std::string& png, const Surfac
                    const RenderOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/mesh/triangle_mesh.h"
 #include "graben/visualization/map_picture.h"
 
@@ -7,6 +8,7 @@
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// A vertical plane through two points; x and y are used. Distance along the section counts from \a a.
@@ -59,3 +61,4 @@ struct SectionOptions {
 void drawSection(const std::string& stem, const SectionScene& scene, const SectionLine& line, const SectionOptions& options = {});
 
 } // namespace graben
+GRABEN_EXPORT_END

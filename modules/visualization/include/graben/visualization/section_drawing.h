@@ -1,11 +1,13 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/types.h"
 #include "graben/visualization/picture_formats.h"
 
 #include <string>
 #include <vector>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 /// An area of a section: what of a block lies in it.
@@ -58,3 +60,4 @@ std::string sectionVtp(const SectionDrawing& drawing, const std::vector<Eigen::V
 void drawSection(const std::string& stem, const PictureFormats& formats, const SectionDrawing& drawing);
 
 } // namespace graben
+GRABEN_EXPORT_END

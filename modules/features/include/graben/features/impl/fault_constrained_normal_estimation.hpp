@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/faults/out_of_reach.h"
 #include "graben/features/fault_constrained_normal_estimation.h"
 
@@ -9,6 +10,7 @@
 #include <limits>
 #include <new>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 namespace detail {
 
@@ -193,6 +195,7 @@ void FaultConstrainedNormalEstimation<PointInT, PointOutT>::fill(const CloudNorm
 }
 
 } // namespace graben
+GRABEN_EXPORT_END
 
 #define PCL_INSTANTIATE_FaultConstrainedNormalEstimation(T, NT)                                    \
   template class PCL_EXPORTS graben::FaultConstrainedNormalEstimation<T, NT>;

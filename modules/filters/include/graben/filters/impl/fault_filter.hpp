@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/filters/fault_filter.h"
 
 #include <pcl/filters/impl/filter_indices.hpp>
@@ -8,6 +9,7 @@
 #include <exception>
 #include <new>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 template <typename PointT>
@@ -104,5 +106,6 @@ void FaultFilter<PointT>::filter(pcl::Indices& indices) {
 }
 
 } // namespace graben
+GRABEN_EXPORT_END
 
 #define PCL_INSTANTIATE_FaultFilter(T) template class PCL_EXPORTS graben::FaultFilter<T>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/short_number.h"
 #include "graben/filters/fault_distance.h"
 #include "graben/filters/fault_zone.h"
@@ -8,6 +9,7 @@
 
 #include <cmath>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 template <typename PointT>
@@ -36,5 +38,6 @@ std::vector<bool> FaultZone<PointT>::choose(const Points& points, const FaultNet
 }
 
 } // namespace graben
+GRABEN_EXPORT_END
 
 #define PCL_INSTANTIATE_FaultZone(T) template class PCL_EXPORTS graben::FaultZone<T>;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/core/short_number.h"
 #include "graben/filters/impl/fault_filter.hpp"
 #include "graben/filters/wrong_side_filter.h"
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 template <typename PointT>
@@ -28,5 +30,6 @@ std::vector<bool> WrongSidePicks<PointT>::choose(const Points& points, const Fau
 }
 
 } // namespace graben
+GRABEN_EXPORT_END
 
 #define PCL_INSTANTIATE_WrongSidePicks(T) template class PCL_EXPORTS graben::WrongSidePicks<T>;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/core/errors.h"
+#include "graben/core/export.h"
 #include "graben/pipeline/faulted_horizon_reconstruction.h"
 #include "graben/pipeline/horizon_mesh.h"
 #include "graben/surface/carried_fields.h"
@@ -12,6 +13,7 @@
 #include <exception>
 #include <new>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 template <typename PointNT>
@@ -168,5 +170,6 @@ std::vector<pcl::PolygonMesh> FaultedHorizonReconstruction<PointNT>::getPieces()
 }
 
 } // namespace graben
+GRABEN_EXPORT_END
 
 #define PCL_INSTANTIATE_FaultedHorizonReconstruction(T) template class PCL_EXPORTS graben::FaultedHorizonReconstruction<T>;

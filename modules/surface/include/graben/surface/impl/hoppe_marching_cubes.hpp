@@ -1,5 +1,6 @@
 #pragma once
 
+#include "graben/core/export.h"
 #include "graben/surface/carried_fields.h"
 #include "graben/surface/hoppe_marching_cubes.h"
 
@@ -10,6 +11,7 @@
 #include <exception>
 #include <new>
 
+GRABEN_EXPORT_BEGIN
 namespace graben {
 
 template <typename PointNT>
@@ -185,6 +187,7 @@ void HoppeMarchingCubes<PointNT>::performReconstruction(pcl::PointCloud<PointNT>
 }
 
 } // namespace graben
+GRABEN_EXPORT_END
 
 #define PCL_INSTANTIATE_HoppeMarchingCubes(T)                                                      \
   template class PCL_EXPORTS graben::HoppeMarchingCubes<T>;
