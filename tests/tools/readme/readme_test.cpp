@@ -69,7 +69,10 @@ TEST_F(Pages, OptionsAreKnown) {
       known += run(entry.path().stem().string().substr(std::string("graben_").size()), "--help").output;
   for (const char* script : {"tools/readme_figures", "tools/module_map", "tests/benchmark/compare", "tests/benchmark/accuracy/sweep"})
     known += test::source(script);
-  known += "--build --install --target "; // of cmake
+  for (const auto& entry : fs::recursive_directory_iterator(GRABEN_SOURCE_DIR "/modules/python"))
+    if (entry.path().extension() == ".py")
+      known += test::source(fs::relative(entry.path(), GRABEN_SOURCE_DIR).string());
+  known += "--build --install --target --parallel --cflags --libs --no-build-isolation --system-site-packages "; // of cmake, pkg-config, pip and venv
   for (const std::string& page : test::pages()) {
     const std::string text = test::source(page);
     const std::regex option("[ `(](--[a-z][a-z-]+)");

@@ -84,17 +84,34 @@ double Shot::covered(bool border) const {
   return all > 0 ? static_cast<double>(there) / static_cast<double>(all) : 0.0;
 }
 
-std::set<Shot::Color> Shot::colors(int least) const {
+std::set<Shot::Color> Shot::colors() const {
   constexpr int kGray = 12; // channels of greys differ by less
-  std::map<Color, int> counts;
+  std::set<Color> found;
   for (const Color& c : pixels)
     if (*std::max_element(c.begin(), c.end()) - *std::min_element(c.begin(), c.end()) > kGray)
-      ++counts[c];
-  std::set<Color> found;
-  for (const auto& [color, count] : counts)
-    if (count >= least)
-      found.insert(color);
+      found.insert(c);
   return found;
+}
+
+std::pair<std::set<Shot::Color>, double> Shot::mostOfTwo() const {
+  std::map<Color, std::size_t> counts;
+  std::size_t all = 0;
+  for (const Color& c : pixels)
+    if (c != Color{0, 0, 0}) {
+      ++counts[c];
+      ++all;
+    }
+  std::vector<std::pair<std::size_t, Color>> ranked;
+  for (const auto& [color, count] : counts)
+    ranked.emplace_back(count, color);
+  std::sort(ranked.rbegin(), ranked.rend());
+  ranked.resize(std::min<std::size_t>(ranked.size(), 2));
+  std::pair<std::set<Color>, double> most;
+  for (const auto& [count, color] : ranked) {
+    most.first.insert(color);
+    most.second += static_cast<double>(count) / static_cast<double>(all);
+  }
+  return most;
 }
 
 void Shot::save(const std::string& png) const {

@@ -5,6 +5,7 @@
 #include <array>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace graben::test {
@@ -19,8 +20,10 @@ struct Shot {
 
   /// Share of the pixels that are not black; of the outermost ones only with \a border.
   double covered(bool border = false) const;
-  /// The colours, not black or grey as captions are, that so many pixels or more have.
-  std::set<Color> colors(int least = 1) const;
+  /// The colours that are not black or grey, as captions are.
+  std::set<Color> colors() const;
+  /// The two colours that most pixels have, and their share of all that are not black.
+  std::pair<std::set<Color>, double> mostOfTwo() const;
   void save(const std::string& png) const;
 };
 

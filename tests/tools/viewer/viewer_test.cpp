@@ -38,11 +38,10 @@ TEST_F(Viewer, ShowsPicksByPieceAndByTheKeys) {
   test::ViewerScreen screen(path(""));
   const test::Shot first = screen.view("-cam results/surface.cam results/picks.pcd -ps 3");
   EXPECT_GT(first.covered(), 0.05) << content("viewer.txt");
-  constexpr int kMany = 200; // pixels: not those of edges
-  EXPECT_EQ(first.colors(kMany).size(), 2U) << "two pieces";
+  EXPECT_GT(first.mostOfTwo().second, 0.4) << "two pieces; what is left are the softened edges of points";
   first.save(picture("picks"));
-  EXPECT_GT(screen.press('4').colors().size(), 100U) << "by depth";
-  EXPECT_EQ(screen.press('8').colors(kMany), first.colors(kMany)) << "by label, as at the start";
+  EXPECT_LT(screen.press('4').mostOfTwo().second, 0.2) << "by depth";
+  EXPECT_EQ(screen.press('8').mostOfTwo().first, first.mostOfTwo().first) << "by label, as at the start";
 }
 
 } // namespace
