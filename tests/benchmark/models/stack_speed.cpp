@@ -70,7 +70,7 @@ int measure(double size, unsigned threads) {
 int main(int argc, char** argv) {
   const double size = argc > 1 ? std::atof(argv[1]) : 0.0;
   if (argc > 3 || !(size > 0.0)) {
-    std::fprintf(stderr, "Usage: %s SIZE [THREADS]   (a box of 400 x 400 x 300; size 1: about 400 000 triangles)\n", argv[0]);
+    std::fprintf(stderr, "Usage: %s SIZE [THREADS]   (a box of 400 x 400 x 300; size 1.9: about 400 000 triangles)\n", argv[0]);
     return 2;
   }
   try {
