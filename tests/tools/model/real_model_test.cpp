@@ -102,7 +102,7 @@ TEST_F(ModelToolRealData, BlocksOfModelA4HaveTheirTrueVolumes) {
   ASSERT_EQ(mesh.blocks.size(), 6U);
   const TrueColumns truth(folder);
   std::map<std::pair<int, bool>, double> heights;
-  constexpr double kStep = 40.0;
+  constexpr double kStep = 30.0; // divides the outline
   for (double y = -3400.0 + 0.5 * kStep; y < 5600.0; y += kStep)
     for (double x = -5100.0 + 0.5 * kStep; x < 10800.0; x += kStep)
       truth.add(x, y, -500.0, 2200.0, heights);
