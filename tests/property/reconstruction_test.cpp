@@ -17,7 +17,7 @@ namespace {
 /// Picks and faults, the faults as sticks.
 struct Job {
   Points picks;
-  std::vector<FaultGeometry> faults;
+  std::vector<FaultInput> faults;
 };
 
 constexpr double kSigma = 2.0; // of the synthetic picks
@@ -70,9 +70,9 @@ Job jobOf(SyntheticKind kind, std::size_t picks) {
   return job;
 }
 
-Points& pointsOf(FaultGeometry& fault, std::size_t stick) { return std::get<std::vector<FaultStick>>(fault.geometry)[stick].points; }
+Points& pointsOf(FaultInput& fault, std::size_t stick) { return std::get<std::vector<FaultStick>>(fault.geometry)[stick].points; }
 
-std::size_t stickCount(const FaultGeometry& fault) { return std::get<std::vector<FaultStick>>(fault.geometry).size(); }
+std::size_t stickCount(const FaultInput& fault) { return std::get<std::vector<FaultStick>>(fault.geometry).size(); }
 
 void expectSameBytes(const ReconstructionResult& a, const ReconstructionResult& b) {
   EXPECT_TRUE(a.mesh.vertices == b.mesh.vertices);
@@ -93,7 +93,7 @@ struct Motion {
   Job of(Job job) const {
     for (Vector3& p : job.picks)
       p = scale * (turn() * p) + shift;
-    for (FaultGeometry& fault : job.faults)
+    for (FaultInput& fault : job.faults)
       for (std::size_t s = 0; s < stickCount(fault); ++s)
         for (Vector3& p : pointsOf(fault, s))
           p = scale * (turn() * p) + shift;
@@ -181,7 +181,7 @@ TEST_P(Reconstruction, TheOrderOfPicksChangesRoundingAlone) {
 
 TEST_P(Reconstruction, TheOrderAndDirectionOfSticksChangeNothing) {
   Job other = job_;
-  for (FaultGeometry& fault : other.faults) {
+  for (FaultInput& fault : other.faults) {
     for (std::size_t s = 0; s < stickCount(fault); s += 2)
       std::reverse(pointsOf(fault, s).begin(), pointsOf(fault, s).end());
     auto& sticks = std::get<std::vector<FaultStick>>(fault.geometry);

@@ -173,7 +173,8 @@ void ReconstructionJob::bendBetweenLines() {
   o.gap = given_->layout.line_distance;
   o.threads = options_.threads;
   const PlateFitResult plate = fitPlate(cut_, *corners_, picks_.points, faults_, o);
-  result_.report.layout.bending_length = plate.length;
+  result_.report.layout.bending_length = plate.stiffness.length;
+  result_.report.layout.bending_order = plate.stiffness.order;
 }
 
 /// A few triangles, mostly in the corners between faults, may be folded over or still reach over a fault after the fit; none may stay.
