@@ -207,8 +207,8 @@ struct Candidates {
 
   void makeRoomFor(std::size_t more) {
     if (count + more > position.size()) {
-      position.resize(2 * (count + more) + 256);
-      squared_distance.resize(position.size());
+      squared_distance.resize(2 * (count + more) + 256);
+      position.resize(squared_distance.size()); // last: where memory gives out, the next query makes room again
     }
   }
   Neighbor neighbor(std::size_t i, const detail::OrderedPoints& points) const { return {points.indexOf(position[i]), squared_distance[i]}; }

@@ -119,7 +119,8 @@ private:
     std::vector<Eigen::VectorXd> result(stiffness.size(), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(parts_.nodes.count())));
     if (windows_.size() == 1) {
       const PlateSystem system(parts_, windows_.front());
-      parallelFor(stiffness.size(), 1, options_.threads, [&](std::size_t k) { handOut(system, system.moves(stiffness[k], held), windows_.front(), result[k]); });
+      parallelFor(stiffness.size(), 1, options_.threads,
+                  [&](std::size_t k) { handOut(system, system.moves(stiffness[k], held), windows_.front(), result[k]); });
       return result;
     }
     parallelFor(windows.size(), 1, options_.threads, [&](std::size_t i) {
