@@ -209,7 +209,7 @@ TEST_F(ReconstructResults, DipsFromATableAreUsedAndCounted) {
   write("dips.csv", "x,y,z,strike,dip\n" + place + ",0,10\n0,0,1000000,0,10\n");
   const test::Outcome outcome = reconstruct("--horizon s/horizon.xyz --fault s/fault_1.ts --dips dips.csv --results r");
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
-  EXPECT_THAT(outcome.errors, HasSubstr("warning: 1 of 2 dip measurements are farther than"));
+  EXPECT_THAT(outcome.errors, HasSubstr("warning: 1 of 2 dip measurements lie far from all picks"));
   EXPECT_THAT(outcome.output, HasSubstr("1 of 2 measurements used"));
   const auto report = nlohmann::json::parse(content("r/report.json"));
   EXPECT_EQ(report["dip_measurements"]["count"], 2);
