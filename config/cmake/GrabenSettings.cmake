@@ -12,12 +12,6 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# Only what public headers declare leaves a library (GRABEN_EXPORT_BEGIN in graben/core/export.h). The tests of a shared build call what is behind them too.
-if(NOT (BUILD_SHARED_LIBS AND GRABEN_BUILD_TESTS))
-  set(CMAKE_CXX_VISIBILITY_PRESET hidden)
-  set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
-endif()
-
 # An installed set of shared libraries finds itself wherever it is put.
 file(RELATIVE_PATH _bin_to_lib "/prefix/${CMAKE_INSTALL_BINDIR}" "/prefix/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/${_bin_to_lib}")

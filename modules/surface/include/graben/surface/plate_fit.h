@@ -38,8 +38,9 @@ struct PlateFitResult {
 /// (of a quadric through the vertices around it),
 ///   sum (b d - r)^2 + rho l^4 sum A |H(d)|^2   or   sum (b d - r)^2 + rho (l^6 sum A |grad H(d)|^2 + (l / 4)^4 sum A |H(d)|^2)
 /// becomes least, rho being the picks' density and l the length; order and length are those of the ones given that best predict picks left out in squares of
-/// 1.2 gaps. The moves are those of nodes, vertices a third of a gap
-/// apart, and follow a quadric between them. Vertices on faults slide along them. Picks that a fault hides from their triangle do not count. Deterministic for any number of threads. Cost: one
+/// 1.2 gaps. Near the tips of faults bending itself is resisted. The moves are those of nodes, vertices a quarter of a gap apart (of a small surface all),
+/// and follow a quadric between them. Vertices on faults slide along them. Picks that a fault hides from their triangle do not count. Deterministic for any
+/// number of threads. Cost: one
 /// sparse Cholesky factorisation for each stiffness and pass; about half a second for 6,000 nodes.
 /// \param[in] corners of the mesh
 /// \param[in] picks   those that are not finite are passed over; they should be balanced, as each counts as much as any other
