@@ -170,7 +170,7 @@ def test_every_option_of_the_command_is_an_argument():
     import re
 
     of_files = {"horizon", "fault", "output", "results", "report", "config", "help", "version", "quiet", "gocad_properties", "pictures", "picture_formats",
-                "picture_format", "xy_unit", "z_unit", "require"}
+                "picture_format", "xy_unit", "z_unit", "require", "hold_out"}
     options = {name.replace("-", "_") for name in re.findall(r"^\s+--([a-z-]+)", told, re.MULTILINE)} - of_files
     assert len(options) > 20
     assert options - set(inspect.signature(graben.reconstruct).parameters) == set()
