@@ -3,6 +3,9 @@
 #include "graben/core/errors.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
 #include <optional>
 
 namespace graben {
@@ -13,8 +16,16 @@ bool isCloud(const FaultInput& fault) {
   return mesh != nullptr && mesh->triangles.empty();
 }
 
+/// A table whose z turns back may be sticks as well as picks row by row.
+bool isGuessed(const FaultInput& fault) {
+  const auto says_so = [](const std::string& note) { return note.find("told apart where z turns back") != std::string::npos; };
+  return std::any_of(fault.notes.begin(), fault.notes.end(), says_so);
+}
+
 /// Sticks are several lines of a few points each.
 bool areSticks(const std::vector<FaultInput>& faults) {
+  if (std::any_of(faults.begin(), faults.end(), isGuessed))
+    return false;
   constexpr std::size_t most_in_stick = 2000;
   std::size_t sticks = 0;
   std::size_t nodes = 0;
@@ -25,6 +36,35 @@ bool areSticks(const std::vector<FaultInput>& faults) {
         nodes += stick.points.size();
       }
   return sticks > 1 && nodes <= most_in_stick * sticks;
+}
+
+/// Lines that lie flat and have many points are a horizon's, picked line by line.
+bool areLinesOfAHorizon(const std::vector<FaultInput>& faults) {
+  constexpr std::size_t fewest_points = 8;
+  constexpr std::size_t fewest_lines = 3;
+  constexpr double flat = 0.2;
+  std::size_t lines = 0;
+  for (const FaultInput& fault : faults)
+    if (const auto* sticks = std::get_if<std::vector<FaultStick>>(&fault.geometry))
+      for (const FaultStick& stick : *sticks) {
+        double up = 0.0;
+        double along = 0.0;
+        for (std::size_t i = 1; i < stick.points.size(); ++i) {
+          up += std::abs(stick.points[i].z() - stick.points[i - 1].z());
+          along += (stick.points[i] - stick.points[i - 1]).head<2>().norm();
+        }
+        if (stick.points.size() < fewest_points || up > flat * along)
+          return false;
+        ++lines;
+      }
+  return lines >= fewest_lines;
+}
+
+/// Files of lines by their name.
+bool isNamedForLines(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".pol" || extension == ".pl" || extension == ".bln";
 }
 
 std::vector<PickSet> readHorizons(const PickSource& source, ReadOptions options, bool all) {
@@ -77,7 +117,8 @@ Recognised recognise(const PickSource& source, const ReadOptions& options, Conte
       found.faults = readFaults(source.path);
       const bool surface =
           std::any_of(found.faults.begin(), found.faults.end(), [](const FaultInput& f) { return f.geometry.index() == 0 && !isCloud(f); });
-      if (kind != ContentKind::Auto || surface || areSticks(found.faults))
+      const bool sticks = areSticks(found.faults) && (isNamedForLines(source.path) || !areLinesOfAHorizon(found.faults));
+      if (kind != ContentKind::Auto || surface || sticks)
         return found;
     } catch (const ParseError& error) {
       if (kind != ContentKind::Auto)

@@ -12,7 +12,8 @@ constexpr std::size_t most_columns = 1000;
 
 std::string_view withoutCommentMark(std::string_view line) {
   line = trim(line);
-  const std::size_t mark = line.substr(0, 2) == "//" ? 2 : line.find_first_not_of("#!@");
+  const bool two = line.substr(0, 2) == "//" || line.substr(0, 2) == "--";
+  const std::size_t mark = two ? 2 : (toLower(line.substr(0, 4)) == "rem " ? 4 : line.find_first_not_of("#!@%*"));
   return mark == std::string_view::npos ? std::string_view{} : trim(line.substr(mark));
 }
 
@@ -71,25 +72,26 @@ std::string plainName(const std::string& name) {
 bool isX(const std::string& name) {
   return isOneOf(name, {"x",      "easting",  "eastings",    "east",       "e",       "xutme",  "utmx",    "utme",    "xutm",   "utmeasting",
                         "xcoord", "coordx",   "xcoordinate", "cdpx",       "px",      "pointx", "pointsx", "points0", "worldx", "realworldx",
-                        "xm",     "xeasting", "xft",         "rechtswert", "ostwert", "cmpx",   "xloc",    "xm"});
+                        "xm",     "xeasting", "xft",         "rechtswert", "ostwert", "cmpx",   "xloc",    "rechts", "este", "leste", "est", "shapex", "gpsx"});
 }
 
 bool isY(const std::string& name) {
   return isOneOf(name, {"y",      "northing",  "northings",   "north",    "n",        "yutmn",  "utmy",    "utmn",    "yutm",   "utmnorthing",
                         "ycoord", "coordy",    "ycoordinate", "cdpy",     "py",       "pointy", "pointsy", "points1", "worldy", "realworldy",
-                        "ym",     "ynorthing", "yft",         "hochwert", "nordwert", "cmpy",   "yloc",    "ym"});
+                        "ym",     "ynorthing", "yft",         "hochwert", "nordwert", "cmpy",   "yloc",    "hoch", "norte", "nord", "shapey", "gpsy"});
 }
 
 /// How well a name fits z: 0 not at all, 3 exactly.
 int rankAsZ(const std::string& name) {
   if (name == "z")
     return 3;
-  if (isOneOf(name, {"ztvdss",     "ztvd", "zcoord", "coordz", "zcoordinate", "pz",     "pointz", "pointsz", "points2",    "worldz",
+  if (isOneOf(name, {"shapez", "gridcode", "ztvdss",     "ztvd", "zcoord", "coordz", "zcoordinate", "pz",     "pointz", "pointsz", "points2",    "worldz",
                      "realworldz", "zm",   "zft",    "zms",    "zvalue",      "zdepth", "ztime",  "ztwt",    "zelevation", "zloc"}))
     return 2;
   return isOneOf(name, {"depth",  "tvdss",   "tvd",    "tvdsubsea", "depthss", "ssdepth",    "subsea",    "subseadepth", "depthsubsea", "elevation",
                         "elev",   "twt",     "twtms",  "twts",      "twttime", "twowaytime", "twtpicked", "owt",         "time",        "timems",
-                        "depthm", "depthft", "height", "altitude",  "msl",     "surfacez",   "hohe",      "tiefe"})
+                        "depthm", "depthft", "height", "altitude",  "msl",     "surfacez",   "hohe",      "tiefe",
+                        "hoehe",  "profondeur", "profundidad", "profondita", "profundidade", "diepte", "dybde", "djup", "cota", "quota"})
              ? 1
              : 0;
 }
@@ -105,6 +107,26 @@ bool isMadeOfWordsForZ(const std::string& name) {
     words.pop_back();
   return std::any_of(words.begin(), words.end(), [](const auto& w) { return isOneOf(w, core); }) &&
          std::all_of(words.begin(), words.end(), [](const auto& w) { return isOneOf(w, core) || isOneOf(w, beside); });
+}
+
+/// The fields of a row of names; a unit in brackets that stands apart belongs to the name before it.
+std::vector<std::string> rowOfNames(std::string_view line, char delimiter) {
+  if (toLower(line.substr(0, 9)) == "variables" && line.find('=') != std::string_view::npos) // Tecplot
+    line.remove_prefix(line.find('=') + 1);
+  std::vector<std::string_view> fields;
+  delimiter = line.find("\t\t") == std::string_view::npos ? delimiter : ' '; // padded with tabs
+  splitFields(line, delimiter, fields);
+  std::vector<std::string> names;
+  bool open = false;
+  for (const std::string_view field : fields) {
+    const bool unit = !field.empty() && (field.front() == '(' || field.front() == '[') && !names.empty() && delimiter == ' ';
+    if (unit || open)
+      (names.back() += ' ') += field;
+    else
+      names.emplace_back(field);
+    open = (unit || open) && field.find_first_of(")]") == std::string_view::npos;
+  }
+  return names;
 }
 
 char delimiterOf(std::string_view line) {
@@ -128,13 +150,15 @@ const std::vector<std::string>& namesOf(ColumnRole role) {
       {ColumnRole::Longitude, {"lon", "long", "longitude", "lng", "londeg", "longdeg", "longitudedeg", "lonwgs84", "longitudewgs84"}},
       {ColumnRole::Latitude, {"lat", "latitude", "latdeg", "latitudedeg", "latwgs84", "latitudewgs84"}},
       {ColumnRole::Horizon,
-       {"horizon", "horizonname", "horizons", "surface", "surfacename", "interpretation", "hor", "horname", "marker", "formation", "top", "topname"}},
+       {"horizon",   "horizonname", "horizonid",      "horizonno", "horizonnr", "horizonnumber", "horid",     "horno", "horizons", "surface",
+        "surfaceid", "surfacename", "interpretation", "hor",       "horname",   "marker",        "formation", "top",   "topname"}},
       {ColumnRole::Fault, {"fault", "faultname", "name", "faultid", "faultno", "faultnr", "object", "objectname", "feature", "featurename"}},
       {ColumnRole::Stick, {"stick",      "sticknr", "stickno",    "stickid",      "sticknumber", "stickindex", "stickidx", "segment", "segid",
                            "segmentid",  "segi",    "polyid",     "poly",         "polygon",     "polygonid",  "line",     "lineid",  "polyline",
-                           "polylineid", "sticks",  "faultstick", "faultstickid", "segno",       "part",       "partid"}},
+                           "polylineid", "sticks",  "faultstick", "faultstickid", "segno",       "part",       "partid",
+                            "lineno",     "linenr",  "linenumber"}},
       {ColumnRole::Node,
-       {"node", "nodenr", "nodeno", "nodeid", "nodenumber", "nodeindex", "knot", "knotnr", "vertex", "vertexid", "pointid", "pointnr", "pt",
+       {"node", "nodenr", "nodeno", "nodeid", "nodenumber", "nodeindex", "knot", "knotnr", "vertex", "vertexid", "pointid", "pointno", "pointnr", "pt",
         "sequence", "seq", "order"}}};
   return names.at(role);
 }
@@ -146,6 +170,17 @@ void HeaderNames::addNumbered(std::string_view text) {
   std::string name;
   if (numberedName(text, column, name))
     numbered_[column] = name;
+}
+
+/// A line with a number, then so many lines with a name each (GSLIB, SGeMS).
+void HeaderNames::addListed(std::string_view text) {
+  std::int64_t count = 0;
+  if (parseInteger(text, count) && count > 0 && count <= static_cast<std::int64_t>(most_columns)) {
+    listed_count_ = static_cast<std::size_t>(count);
+    listed_.clear();
+  } else if (listed_.size() < listed_count_) {
+    listed_.emplace_back(text);
+  }
 }
 
 void HeaderNames::addFact(std::string_view text) {
@@ -163,10 +198,13 @@ void HeaderNames::addFact(std::string_view text) {
     z_unit_ = unitOf(value);
 }
 
-/// Z-MAP+ points: `@NAME, DATA, ...`, a line for each field that begins with its name, `@`.
+/// Z-MAP+ points, lines and faults: `@NAME, DATA, ...`, a line for each field that begins with its name, `@`.
 bool HeaderNames::addField(std::string_view line) {
   if (!line.empty() && line.front() == '@') {
-    inside_fields_ = toLower(line).find("data") != std::string::npos && line.find(',') != std::string_view::npos;
+    const std::size_t comma = line.find(',');
+    const std::string kind = comma == std::string_view::npos ? "" : toLower(trim(line.substr(comma + 1, line.find(',', comma + 1) - comma - 1)));
+    inside_fields_ = isOneOf(kind, {"falt", "fault", "faults", "vert", "point", "cont", "poly"}) ||
+                     (comma != std::string_view::npos && toLower(line).find("data") != std::string::npos);
     return true;
   }
   if (inside_fields_ && !line.empty() && line.front() != '!')
@@ -192,13 +230,12 @@ void HeaderNames::add(std::string_view line) {
   }
   addNumbered(text);
   addFact(text);
-  std::vector<std::string_view> fields;
-  splitFields(text, delimiterOf(text), fields);
-  if (fields.size() == 2 && isOneOf(toLower(fields[0]), {"discrete", "float", "string", "int", "double"})) {
-    attributes_.emplace_back(fields[1]);
+  std::vector<std::string> row = rowOfNames(text, delimiterOf(text));
+  if (row.size() == 2 && isOneOf(toLower(row[0]), {"discrete", "float", "string", "int", "double"})) {
+    attributes_.push_back(row[1]);
     return;
   }
-  std::vector<std::string> row(fields.begin(), fields.end());
+  addListed(text);
   if (namesPlaces(row))
     row_ = std::move(row);
 }
@@ -213,6 +250,8 @@ std::vector<std::string> HeaderNames::names() const {
     return names;
   if (namesPlaces(block_))
     return block_;
+  if (listed_.size() == listed_count_ && namesPlaces(listed_))
+    return listed_;
   if (row_.empty() && !attributes_.empty()) {
     names = {"X", "Y", "Z"};
     names.insert(names.end(), attributes_.begin(), attributes_.end());
@@ -237,6 +276,16 @@ std::array<int, 3> findCoordinateColumns(const std::vector<std::string>& names) 
     }
   }
   return columns;
+}
+
+std::string otherNameForZ(const std::vector<std::string>& names) {
+  const int z = findCoordinateColumns(names)[2];
+  const auto rank = [&](const std::string& name) { return std::max(rankAsZ(plainName(name)), isMadeOfWordsForZ(name) ? 1 : 0); };
+  if (z < 0)
+    return {};
+  const std::string& taken = names[static_cast<std::size_t>(z)];
+  const auto other = std::find_if(names.begin(), names.end(), [&](const std::string& name) { return &name != &taken && rank(name) == rank(taken); });
+  return other == names.end() ? std::string() : *other;
 }
 
 std::string nameGivenTwice(const std::vector<std::string>& names) {
@@ -319,9 +368,9 @@ int senseOfName(const std::string& name) {
   const auto holds = [&](std::initializer_list<const char*> words) {
     return std::any_of(words.begin(), words.end(), [&](const char* word) { return plain.find(word) != std::string::npos; });
   };
-  if (holds({"elev", "height", "altitude", "hohe"}) || plain == "msl")
+  if (holds({"elev", "height", "altitude", "hohe", "hoehe"}) || plain == "cota" || plain == "quota" || plain == "msl")
     return 1;
-  return holds({"depth", "tvd", "twt", "time", "subsea", "tiefe", "owt"}) ? -1 : 0;
+  return holds({"depth", "tvd", "twt", "time", "subsea", "tiefe", "owt", "profond", "profund", "diepte", "dybde", "djup"}) ? -1 : 0;
 }
 
 } // namespace graben

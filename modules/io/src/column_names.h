@@ -12,7 +12,7 @@ namespace graben {
 ///
 /// Understood: a row of names (`X,Y,Z`, `# "X" "Y" "Inline" ...`, `//X Y Z`), OpendTect's `# 1: X` lines, EarthVision's `# Field: 1 x`,
 /// a block BEGIN HEADER ... END HEADER with a name per line and RMS's `Float name` lines after x y z, Z-MAP+'s fields between lines
-/// that begin with @. The last row of names counts.
+/// that begin with @, GSLIB's number of columns and a name per line, Tecplot's VARIABLES. The last row of names counts.
 class HeaderNames {
 public:
   void add(std::string_view line);
@@ -33,10 +33,12 @@ public:
 private:
   bool addField(std::string_view line);
   void addNumbered(std::string_view text);
+  void addListed(std::string_view text);
   void addFact(std::string_view text);
 
   std::map<std::size_t, std::string> numbered_;
-  std::vector<std::string> row_, block_, attributes_;
+  std::vector<std::string> row_, block_, attributes_, listed_;
+  std::size_t listed_count_ = 0;
   std::vector<double> nulls_;
   std::string xy_unit_, z_unit_;
   bool inside_block_ = false;
@@ -45,6 +47,9 @@ private:
 
 /// Columns of x, y and z by name; -1 where no name fits.
 std::array<int, 3> findCoordinateColumns(const std::vector<std::string>& names);
+
+/// Another name that fits z as well as the one that findCoordinateColumns finds; empty if there is none.
+std::string otherNameForZ(const std::vector<std::string>& names);
 
 /// What two columns are called alike of those that findCoordinateColumns finds; empty if none are.
 std::string nameGivenTwice(const std::vector<std::string>& names);

@@ -8,21 +8,30 @@
 #include "graben/core/errors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace graben {
 namespace {
 
+/// A code that is no whole number is none.
+bool parseCode(std::string_view field, IesxRow& row) {
+  double code = 0.0;
+  if (!parseField(field, code))
+    return field.empty();
+  row.code = std::abs(code) < 1e6 ? static_cast<std::int64_t>(code) : 0;
+  return true;
+}
+
 /// Columns of a card image, for rows whose numbers touch.
 bool parseCard(std::string_view line, IesxRow& row) {
   return line.size() >= 47 && parseField(trim(line.substr(0, 16)), row.point.x()) && parseField(trim(line.substr(16, 16)), row.point.y()) &&
-         parseInteger(trim(line.substr(32, 3)), row.segment) && parseField(trim(line.substr(38, 9)), row.point.z());
+         parseInteger(trim(line.substr(32, 3)), row.segment) && parseCode(trim(line.substr(35, 3)), row) && parseField(trim(line.substr(38, 9)), row.point.z());
 }
 
 bool parseWords(const std::vector<std::string_view>& words, IesxRow& row) {
-  double code = 0.0;
   return words.size() >= 5 && parseField(words[0], row.point.x()) && parseField(words[1], row.point.y()) && parseInteger(words[2], row.segment) &&
-         parseField(words[3], code) && parseField(words[4], row.point.z());
+         parseCode(words[3], row) && parseField(words[4], row.point.z());
 }
 
 class IesxReader {

@@ -13,6 +13,7 @@ namespace graben {
 struct IesxRow {
   Vector3 point;
   std::int64_t segment = 0;
+  std::int64_t code = 0;
   std::size_t block = 0; ///< number of the PROFILE it follows
 };
 

@@ -100,14 +100,33 @@ std::vector<FaultInput> readBlnFaults(std::string_view text, const std::string& 
   return builder.take();
 }
 
+namespace {
+
+/// Code 6 begins a line, 7 goes on, 8 ends it; other codes say nothing, and the number of the segment tells the lines.
+void addSticks(const IesxProfile& profile, StickBuilder& builder) {
+  constexpr std::int64_t begin = 6, end = 8;
+  const auto all = [&](auto test) { return std::all_of(profile.rows.begin(), profile.rows.end(), test); };
+  const bool coded = all([](const IesxRow& row) { return row.code >= begin && row.code <= end; });
+  const IesxRow* before = nullptr;
+  std::size_t stick = 0;
+  for (const IesxRow& row : profile.rows) {
+    const bool other = before == nullptr || before->block != row.block || before->segment != row.segment;
+    stick += other || (coded && (row.code == begin || before->code == end)) ? 1 : 0;
+    before = &row;
+    const std::string key = std::to_string(row.block) + " " + std::to_string(coded ? static_cast<std::int64_t>(stick) : row.segment);
+    builder.add(profile.name, key, std::nan(""), row.point);
+  }
+}
+
+} // namespace
+
 std::vector<FaultInput> readIesxFaults(std::string_view text, const std::string& path) {
   StickBuilder builder(path);
   std::vector<IesxProfile> profiles = readIesx(text, path);
   const bool any_fault = std::any_of(profiles.begin(), profiles.end(), [](const IesxProfile& p) { return p.fault; });
   for (const IesxProfile& profile : profiles)
     if (profile.fault || !any_fault)
-      for (const IesxRow& row : profile.rows)
-        builder.add(profile.name, std::to_string(row.block) + " " + std::to_string(row.segment), std::nan(""), row.point);
+      addSticks(profile, builder);
   return builder.take();
 }
 

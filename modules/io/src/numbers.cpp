@@ -26,11 +26,18 @@ const char* parseUnusualNumber(const char* begin, const char* end, double& value
 }
 
 bool isNoDataWord(std::string_view field) {
-  static constexpr std::array<std::string_view, 7> words = {"undef", "null",   "none", "na",
-                                                            "n/a",   "nodata", "#n/a"};
+  static constexpr std::array<std::string_view, 17> words = {"undef", "undefined", "null", "<null>", "(null)", "\\n", "none", "na",   "n/a",
+                                                             "#n/a",  "nodata",    "no_data", "void", "missing", "-",   "--",   "?"};
   if (field.find_first_not_of('*') == std::string_view::npos) // nothing, or what Fortran writes for a number that does not fit its field
     return true;
-  return field.size() < 8 && std::find(words.begin(), words.end(), toLower(field)) != words.end();
+  if (field.size() > 12)
+    return false;
+  const std::string lower = toLower(field);
+  const std::string_view unsigned_part = std::string_view(lower).substr(lower.front() == '-' ? 1 : 0);
+  for (const std::string_view unreal : {"1.#ind", "1.#qnan", "1.#snan", "1.#inf"}) // what Windows writes
+    if (unsigned_part.substr(0, unreal.size()) == unreal)
+      return true;
+  return std::find(words.begin(), words.end(), lower) != words.end();
 }
 
 template <typename Number>

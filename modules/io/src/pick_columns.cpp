@@ -2,12 +2,14 @@
 
 #include "column_names.h"
 #include "line_reader.h"
+#include "no_data.h"
 #include "numbers.h"
 
 #include "graben/core/errors.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -34,7 +36,7 @@ std::string numbersOf(const std::vector<std::size_t>& columns) {
 
 /// Columns before the header's first name: exports of several horizons start with a name that the header does not list.
 std::size_t shiftOf(const TextLayout& layout) {
-  return !layout.names.empty() && layout.names.size() + 1 == layout.columns_in_row ? 1 : 0;
+  return layout.shift;
 }
 
 std::string nameOf(const TextLayout& layout, std::size_t column) {
@@ -63,7 +65,7 @@ public:
       return "x, y and z cannot be told from the other columns of numbers";
     const std::string doubt = left_.size() > 3 && sample_.rows >= fewest_rows ? doubtOf() : "";
     columns.assign(left_.begin(), left_.begin() + 3);
-    return doubt;
+    return doubt.empty() ? doubtOfZ() : doubt;
   }
 
 private:
@@ -79,7 +81,7 @@ private:
     for (std::size_t i = 0; i + 1 < left_.size(); ++i)
       for (std::size_t k = 0; k + 1 < left_.size(); ++k) {
         const bool apart = k > i + 1 || i > k + 1;
-        if (!apart || !at(i).whole || !at(i + 1).whole || (at(i).constant() && at(i + 1).constant()))
+        if (!apart || !at(i).integral || !at(i + 1).integral || (at(i).constant() && at(i + 1).constant()))
           continue;
         const bool smaller = at(i).span() + at(i + 1).span() < at(k).span() + at(k + 1).span();
         if (smaller && followEvenly(sample_, left_[i], left_[i + 1], left_[k], left_[k + 1]))
@@ -116,6 +118,22 @@ private:
     return {};
   }
 
+  /// Map coordinates are far from 0 for their width, depths are not.
+  std::string doubtOfZ() const {
+    constexpr double too_deep = 1e5;
+    constexpr double too_far = 20.0;
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t known = 0;
+    for (const double z : at(2).values)
+      if (std::isfinite(z) && !isNullValue(z) && !isNullCode(z)) {
+        least = std::min(least, std::abs(z));
+        ++known;
+      }
+    if (known < fewest_rows || least < too_deep || least < too_far * std::max(at(0).span(), at(1).span()))
+      return {};
+    return "column " + std::to_string(left_[2] + 1) + " holds values about " + std::to_string(std::llround(least)) + ", too large for z";
+  }
+
   const TableSample& sample_;
   std::vector<std::string>& notes_;
   std::vector<std::size_t> left_; ///< columns of numbers
@@ -132,6 +150,7 @@ public:
     if (!file_.options.columns.empty())
       return takeAsked();
     if (layout_.names_used) {
+      leaveOutRowNumbers();
       noteColumns(layout_, pointTableKind(), picks_.notes);
       return;
     }
@@ -150,6 +169,19 @@ public:
   }
 
 private:
+  /// A header that names one column less than rows have, as R writes it: the first is the row's number.
+  void leaveOutRowNumbers() {
+    if (layout_.shift > 0 || layout_.names.size() + 1 != layout_.columns_in_row)
+      return;
+    const TableSample sample = sampleTable(layout_.body, layout_.delimiter, layout_.columns_in_row);
+    if (!sample.columns[0].counter)
+      return;
+    layout_.shift = 1;
+    for (int& column : layout_.columns)
+      ++column;
+    picks_.notes.emplace_back("column 1, which the header does not name, taken for a row number and left out");
+  }
+
   /// Of three columns of which the header calls two x and y, the third is z whatever its name.
   bool takeThirdAsZ() {
     const auto place = findCoordinateColumns(layout_.names);
@@ -199,7 +231,7 @@ private:
   }
 
   void noteWholeNumbers(const TableSample& sample) {
-    if (sample.rows < 50 || sample.columns.size() < 2 || !sample.columns[0].whole || !sample.columns[1].whole)
+    if (sample.rows < 50 || sample.columns.size() < 2 || !sample.columns[0].integral || !sample.columns[1].integral)
       return;
     const auto step = [&](std::size_t c) {
       std::vector<double> values = sample.columns[c].values;
@@ -242,6 +274,9 @@ NamedColumns pointColumns(const std::vector<std::string>& names) {
   const bool z_missing = found[0] >= 0 && found[1] >= 0 && found[2] < 0 && names.size() > 3;
   if (const std::string twice = nameGivenTwice(names); !twice.empty() && found[0] >= 0 && found[1] >= 0)
     return {{found.begin(), found.end()}, "the header names two columns '" + twice + "'; name x, y and z by their numbers: --columns 1,2,3"};
+  if (const std::string other = otherNameForZ(names); !other.empty() && found[0] >= 0 && found[1] >= 0)
+    return {{found.begin(), found.end()}, "two columns may be z, '" + names[static_cast<std::size_t>(found[2])] + "' and '" + other +
+                                              "'; name one: --columns X,Y,Z, each by its name or its number from 1"};
   return {{found.begin(), found.end()}, z_missing ? "the header names columns x and y but none for z; name them: --columns X,Y,Z" : ""};
 }
 

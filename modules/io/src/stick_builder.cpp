@@ -3,10 +3,12 @@
 #include "fault_formats.h"
 #include "file_content.h"
 #include "no_data.h"
+#include "numbers.h"
 
 #include "graben/core/errors.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace graben {
@@ -26,7 +28,43 @@ void sortByNode(Points& points, const std::vector<double>& nodes) {
   points = std::move(sorted);
 }
 
+/// What stands before the number at the end of a name such as `F1_1` or `Line 1000`; empty if it ends with none, or is one of a fault (`F12`).
+std::string prefixOfStick(const std::string& name) {
+  const std::size_t last = name.find_last_not_of("0123456789");
+  if (last == std::string::npos || last + 1 == name.size())
+    return {};
+  const std::string before = toLower(name.substr(0, last + 1));
+  const std::string word = before.substr(0, before.find_last_not_of(" _-.:#") + 1);
+  const bool apart = word.size() < before.size();
+  static constexpr std::array<std::string_view, 10> parts = {"stick", "line", "l", "inline", "il", "xl", "xline", "segment", "seg", "polyline"};
+  const bool part = std::find(parts.begin(), parts.end(), word) != parts.end();
+  return apart || part ? name.substr(0, std::max<std::size_t>(word.size(), 1)) : std::string();
+}
+
+bool isSteep(const Points& points) {
+  constexpr double least = 0.5;
+  const Vector3 along = points.back() - points.front();
+  return std::abs(along.z()) > least * along.head<2>().norm();
+}
+
 } // namespace
+
+void StickBuilder::joinNumberedNames() {
+  const std::string prefix = faults_.size() < 2 ? std::string() : prefixOfStick(faults_.front().name);
+  const bool all = std::all_of(faults_.begin(), faults_.end(), [&](const Fault& f) {
+    return f.lines.size() == 1 && f.lines[0].points.size() > 1 && isSteep(f.lines[0].points) && prefixOfStick(f.name) == prefix;
+  });
+  if (prefix.empty() || !all)
+    return;
+  note(std::to_string(faults_.size()) + " names with one stick each, as '" + faults_.front().name + "': taken for sticks of one fault");
+  std::vector<Line> lines;
+  for (Fault& fault : faults_)
+    lines.push_back(std::move(fault.lines[0]));
+  static constexpr std::array<std::string_view, 4> no_names = {"stick", "line", "l", "segment"};
+  const bool is_name = std::find(no_names.begin(), no_names.end(), toLower(prefix)) == no_names.end();
+  faults_.clear();
+  faults_.push_back({is_name ? prefix : std::string(), std::move(lines), {}});
+}
 
 void StickBuilder::add(const std::string& name, std::string_view stick, double node, const Vector3& point) {
   const auto [entry, added] = fault_of_name_.emplace(name, faults_.size());

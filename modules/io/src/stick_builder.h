@@ -23,6 +23,10 @@ public:
   void end() { open_ = false; }
   bool isOpen() const { return open_; }
 
+  /// Names that tell sticks and not faults (`F1_1`, `F1_2`, `stick 3`): where each has one stick only, and those are no traces on a map, they
+  /// become sticks of one fault.
+  void joinNumberedNames();
+
   /// A note for every fault of the file.
   void note(std::string text) { notes_.push_back(std::move(text)); }
 

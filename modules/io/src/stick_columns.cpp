@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace graben {
 namespace {
@@ -66,7 +67,7 @@ public:
       : layout_(layout)
       , sample_(sample) {}
 
-  StickColumns byName() const {
+  StickColumns byName(bool parted) const {
     StickColumns columns;
     const auto& names = layout_.names;
     const int shift = names.size() + 1 == layout_.columns_in_row ? 1 : 0;
@@ -85,6 +86,12 @@ public:
       columns.sticks.push_back(stick + shift);
     else if (traces && columns.name < 0 && columns.node < 0)
       columns.doubt = "the header names traces, as that of a horizon along lines does";
+    if (shift > 0 && sample_.columns[0].counter)
+      columns.name = -1; // numbers of the rows
+    if (const std::string other = otherNameForZ(names); !other.empty() && columns.place.size() == 3)
+      columns.doubt = "both '" + names[static_cast<std::size_t>(columns.place[2] - shift)] + "' and '" + other + "' may be z";
+    if (!parted)
+      takeNumberedRuns(columns, shift);
     return columns;
   }
 
@@ -96,7 +103,7 @@ public:
       else if (columns.name < 0 && sample_.columns[c].numbers == 0)
         columns.name = static_cast<int>(c);
     }
-    while (numbers_.size() > 3 && (takeId(true, columns) || takeLineNumbers() || takeId(false, columns))) {
+    while (numbers_.size() > 3 && (takeId(true, columns) || takeStickAndNode(columns) || takeLineNumbers() || takeId(false, columns))) {
     }
     if (numbers_.size() > 3)
       columns.doubt = "x, y and z cannot be told from other columns of numbers";
@@ -110,6 +117,54 @@ public:
   }
 
 private:
+  /// Where no name says which column tells the sticks: one whose number stays along some rows and then changes for good (`id`, `fid`, `group`).
+  void takeNumberedRuns(StickColumns& columns, int shift) const {
+    if (!columns.sticks.empty() && !sample_.columns[static_cast<std::size_t>(columns.sticks[0])].constant())
+      return;
+    for (std::size_t c = 0; c < sample_.columns.size(); ++c) {
+      const int column = static_cast<int>(c);
+      const bool taken = std::count(columns.place.begin(), columns.place.end(), column) > 0 || column == columns.name || column == columns.node;
+      const auto named = c - static_cast<std::size_t>(shift);
+      const std::vector<std::string> name = {column >= shift && named < layout_.names.size() ? layout_.names[named] : std::string()};
+      const bool of_survey = findColumn(name, ColumnRole::Inline) >= 0 || findColumn(name, ColumnRole::Crossline) >= 0;
+      if (!taken && !of_survey && areRuns(sample_.columns[c])) {
+        columns.sticks.push_back(column);
+        return;
+      }
+    }
+  }
+
+  /// Whole numbers of which none comes back once it has changed.
+  static bool areRuns(const SampledColumn& column) {
+    std::set<double> seen;
+    std::size_t runs = 0;
+    for (std::size_t r = 0; r < column.values.size(); ++r)
+      if (r == 0 || column.values[r] != column.values[r - 1]) {
+        ++runs;
+        seen.insert(column.values[r]);
+      }
+    return column.integral && !column.constant() && runs == seen.size() && 2 * runs <= column.values.size();
+  }
+
+  /// The first two columns, of which the second counts from the start again wherever the first changes.
+  bool takeStickAndNode(StickColumns& columns) {
+    if (numbers_.size() < 5 || !columns.sticks.empty() || columns.node >= 0)
+      return false;
+    const SampledColumn& stick = sample_.columns[numbers_[0]];
+    const SampledColumn& node = sample_.columns[numbers_[1]];
+    if (!stick.whole || !node.whole || stick.constant() || node.constant() || node.low < 0.0 || node.low > 1.0)
+      return false;
+    for (std::size_t r = 1; r < node.values.size(); ++r) {
+      const bool again = stick.values[r] != stick.values[r - 1];
+      if (again ? node.values[r] != node.low : node.values[r] != node.values[r - 1] + 1.0)
+        return false;
+    }
+    columns.sticks.push_back(static_cast<int>(numbers_[0]));
+    columns.node = static_cast<int>(numbers_[1]);
+    numbers_.erase(numbers_.begin(), numbers_.begin() + 2);
+    return true;
+  }
+
   /// Takes the last or first column of numbers for one that tells sticks or nodes.
   bool takeId(bool last, StickColumns& columns) {
     const std::size_t c = last ? numbers_.back() : numbers_.front();
@@ -153,7 +208,7 @@ private:
 StickColumns findStickColumns(const TextLayout& layout, const TableSample& sample, bool parted) {
   const auto named = findCoordinateColumns(layout.names);
   StickTable table(layout, sample);
-  return named[0] >= 0 && named[1] >= 0 ? table.byName() : table.byContent(parted);
+  return named[0] >= 0 && named[1] >= 0 ? table.byName(parted) : table.byContent(parted);
 }
 
 } // namespace graben

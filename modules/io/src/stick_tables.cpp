@@ -4,20 +4,26 @@
 #include "line_reader.h"
 #include "no_data.h"
 #include "numbers.h"
+#include "plain_table.h"
 #include "stick_builder.h"
 #include "stick_columns.h"
+#include "stick_ends.h"
+#include "stick_turns.h"
 #include "text_layout.h"
 
 #include "graben/core/errors.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace graben {
 namespace {
 
 constexpr std::size_t most_header_lines = 1000;
 constexpr std::size_t most_quoted = 60;
+constexpr std::size_t rows_looked_at = 2000;
 
 char delimiterOf(std::string_view row) {
   for (const char c : {';', ','})
@@ -68,6 +74,17 @@ TextLayout layoutOf(std::string_view text) {
   return layout;
 }
 
+/// x and y as inline and crossline would be.
+bool areWholeAndSmall(const TableSample& sample, const std::vector<int>& place) {
+  constexpr double most = 1e5;
+  constexpr std::size_t fewest = 8;
+  const auto is = [&](int c) {
+    const SampledColumn& column = sample.columns[static_cast<std::size_t>(c)];
+    return column.integral && column.low > 0.0 && column.high < most;
+  };
+  return sample.rows >= fewest && is(place[0]) && is(place[1]) && !sample.columns[static_cast<std::size_t>(place[2])].integral;
+}
+
 class StickTableReader {
 public:
   StickTableReader(std::string_view text, const std::string& path)
@@ -78,14 +95,19 @@ public:
       throw ParseError(path_, 0, "is no fault: neither a surface nor rows x y z of sticks");
   }
 
+  /// A note for every fault of the file.
+  void note(std::string text) { builder_.note(std::move(text)); }
+
   std::vector<FaultInput> read() {
     settle();
     LineReader reader(layout_.body, layout_.first_line);
     std::string_view line;
-    while (reader.next(line))
+    while (reader.next(line) && !(cut_ && reader.rest().empty()))
       add(line, reader.number());
     const bool cut = !layout_.body.empty() && layout_.body.back() != '\n' && terminated_ && builder_.isOpen();
     builder_.end();
+    if (columns_.name >= 0)
+      builder_.joinNumberedNames();
     std::vector<FaultInput> faults = builder_.take();
     takeNameOfZ(faults);
     for (FaultInput& fault : faults)
@@ -98,12 +120,43 @@ private:
 
   void settle() {
     const TableSample sample = sampleTable(layout_.body, layout_.delimiter, layout_.columns_in_row);
-    columns_ = findStickColumns(layout_, sample, isParted());
+    ends_ = StickEnds(layout_, layout_.body);
+    columns_ = findStickColumns(layout_, sample, ends_.certain());
     if (!columns_.doubt.empty())
       fail(layout_.first_line, "the columns of the sticks are not certain: " + columns_.doubt +
                                    "; write a header with the names X,Y,Z,stick (and name, node), or sticks as x y z, each ended by 999 999 999");
+    chooseName(sample);
     if (layout_.columns_in_row > 3)
       builder_.note(columnsTaken());
+    const bool told_apart = !columns_.sticks.empty() || columns_.node >= 0 || columns_.flag >= 0 || columns_.name >= 0;
+    if (!ends_.certain() && !told_apart && ends_.takeTexts())
+      builder_.note("rows of text taken for ends of sticks");
+    whole_ = areWholeAndSmall(sample, columns_.place);
+    cut_ = isLastRowCut(layout_.body, layout_.delimiter, columns_.place[2]);
+  }
+
+  /// Of several columns of texts without names the one is taken that several sticks have in common.
+  void chooseName(const TableSample& sample) {
+    if (columns_.name < 0 || !layout_.names.empty())
+      return;
+    for (std::size_t c = 0; c < sample.columns.size(); ++c) {
+      std::map<std::string, std::set<std::string>, std::less<>> sticks_of_name;
+      LineReader reader(layout_.body);
+      std::string_view line;
+      for (std::size_t rows = 0; sample.columns[c].numbers == 0 && rows < rows_looked_at && reader.next(line); ++rows) {
+        splitFields(line, layout_.delimiter, fields_);
+        std::string key;
+        for (const int stick : columns_.sticks)
+          key += (static_cast<std::size_t>(stick) < fields_.size() ? std::string(fields_[static_cast<std::size_t>(stick)]) : std::string()) + '\x1f';
+        if (!ends_.isEnd(line) && !isPassedOver(line) && c < fields_.size())
+          sticks_of_name[std::string(fields_[c])].insert(key);
+      }
+      const bool shared = std::any_of(sticks_of_name.begin(), sticks_of_name.end(), [](const auto& entry) { return entry.second.size() > 1; });
+      if (shared) {
+        columns_.name = static_cast<int>(c);
+        return;
+      }
+    }
   }
 
   std::string columnsTaken() const {
@@ -121,65 +174,46 @@ private:
     return text;
   }
 
-  /// True if rows of their own end the sticks.
-  bool isParted() const {
-    LineReader reader(layout_.body);
-    std::string_view line;
-    bool any = false;
-    bool empty = false;
-    while (reader.next(line)) {
-      if (isMark(line) || (any && trim(line).substr(0, 3) == "999" && isEnd(line)))
-        return true;
-      if (trim(line).empty())
-        empty = any;
-      else if (empty)
-        return true;
-      else
-        any = true;
-    }
-    return false;
-  }
-
-  static bool isEnd(std::string_view line) {
-    std::vector<std::string_view> fields;
-    splitFields(line, delimiterOf(line), fields);
-    double value = 0.0;
-    return fields.size() >= 3 &&
-           std::all_of(fields.begin(), fields.begin() + 3, [&](std::string_view f) { return parseField(f, value) && value == 999.0; });
-  }
-
   void add(std::string_view line, std::size_t number) {
-    if (trim(line).empty() || isMark(line)) {
+    if (ends_.isEnd(line)) {
       builder_.end();
       return;
     }
     if (isPassedOver(line))
       return;
-    if (trim(line).substr(0, 3) == "999" && isEnd(line)) {
+    splitFields(line, layout_.delimiter, fields_);
+    Vector3 point;
+    if (!placeOf(point) && !ends_.isShortEnd(fields_))
+      fail(number, "no row x y z of a fault stick: '" + std::string(trim(line).substr(0, most_quoted)) + "'");
+    if (ends_.isShortEnd(fields_) || ends_.isEnd(point)) {
       terminated_ = true;
       builder_.end();
       return;
     }
-    splitFields(line, layout_.delimiter, fields_);
-    const auto text = [&](int column) {
-      return column >= 0 && static_cast<std::size_t>(column) < fields_.size() ? fields_[static_cast<std::size_t>(column)] : std::string_view{};
-    };
-    Vector3 point;
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      const std::string_view field = text(columns_.place[static_cast<std::size_t>(k)]);
-      if (static_cast<std::size_t>(columns_.place[static_cast<std::size_t>(k)]) >= fields_.size() || !parseField(field, point[k]))
-        fail(number, "no row x y z of a fault stick: '" + std::string(trim(line).substr(0, most_quoted)) + "'");
-    }
     key_.clear();
     for (const int stick : columns_.sticks)
-      (key_ += text(stick)) += '\x1f';
+      (key_ += field(stick)) += '\x1f';
     double flag = 0.0;
-    if (columns_.flag >= 0 && parseField(text(columns_.flag), flag) && flag == columns_.begin)
+    if (columns_.flag >= 0 && parseField(field(columns_.flag), flag) && flag == columns_.begin)
       builder_.end();
     double node = std::nan("");
     if (columns_.node >= 0)
-      parseField(text(columns_.node), node);
-    builder_.add(std::string(text(columns_.name)), columns_.sticks.empty() ? std::string_view{} : std::string_view(key_), node, point);
+      parseField(field(columns_.node), node);
+    builder_.add(std::string(field(columns_.name)), columns_.sticks.empty() ? std::string_view{} : std::string_view(key_), node, point);
+  }
+
+  /// What the row holds in a column; nothing where it has none.
+  std::string_view field(int column) const {
+    return column >= 0 && static_cast<std::size_t>(column) < fields_.size() ? fields_[static_cast<std::size_t>(column)] : std::string_view{};
+  }
+
+  bool placeOf(Vector3& point) const {
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const int column = columns_.place[static_cast<std::size_t>(k)];
+      if (static_cast<std::size_t>(column) >= fields_.size() || !parseField(field(column), point[k]))
+        return false;
+    }
+    return true;
   }
 
   void takeNameOfZ(std::vector<FaultInput>& faults) const {
@@ -200,14 +234,41 @@ private:
   void judge(FaultInput& fault, bool cut) const {
     if (cut)
       fault.warnings.push_back(path_ + ": the last stick has no end and the last row no line end; the file may be cut short");
+    if (whole_)
+      fault.warnings.push_back("x and y of the sticks in " + path_ + " are small whole numbers: if they are inline and crossline, export x and y");
+    if (cut_)
+      fault.warnings.push_back(path_ +
+                               ": the last row has no line end and fewer decimals than the others; it is left out, the file may be cut short");
     const auto& sticks = std::get<std::vector<FaultStick>>(fault.geometry);
     if (sticks.size() == 1 && columns_.sticks.empty() && columns_.node < 0 && columns_.flag < 0)
+      judgeList(fault, sticks.front().points);
+  }
+
+  /// What a list without any end of a stick is.
+  static void judgeList(FaultInput& fault, const Points& list) {
+    std::vector<FaultStick> sticks;
+    for (Points& points : sticksOfTurns(list))
+      sticks.push_back({std::move(points)});
+    if (!sticks.empty()) {
+      fault.notes.push_back(fault.name + " is a list without ends of sticks: " + std::to_string(sticks.size()) +
+                            " sticks told apart where z turns back");
+      fault.geometry = std::move(sticks);
+    } else if (runsToAndFro(list)) {
+      fault.notes.push_back(fault.name + " is a list that runs to and fro without ends of sticks: taken for points of the fault");
+      TriangleMesh mesh;
+      mesh.vertices = list;
+      fault.geometry = std::move(mesh);
+    } else {
       fault.notes.push_back(fault.name + " is one list of points without any end of line");
+    }
   }
 
   const std::string& path_;
   TextLayout layout_;
   StickColumns columns_;
+  StickEnds ends_;
+  bool cut_ = false;   ///< the last row is, which is left out
+  bool whole_ = false; ///< x and y are, as inline and crossline
   StickBuilder builder_;
   bool terminated_ = false;
   std::vector<std::string_view> fields_;
@@ -217,12 +278,13 @@ private:
 } // namespace
 
 std::vector<FaultInput> readLineFaults(std::string_view text, const std::string& path) {
-  std::string with_points;
-  if (hasDecimalCommas(text)) {
-    with_points = withDecimalPoints(text);
-    text = with_points;
-  }
-  return StickTableReader(text, path).read();
+  std::string plain;
+  std::vector<std::string> notes;
+  text = plainTable(text, path, plain, notes);
+  StickTableReader reader(text, path);
+  for (std::string& note : notes)
+    reader.note(std::move(note));
+  return reader.read();
 }
 
 } // namespace graben

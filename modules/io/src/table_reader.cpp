@@ -43,7 +43,7 @@ const char* wordEnd(const char* at, const char* end) {
 std::string_view unquoted(std::string_view field) {
   field = trim(field);
   if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
-    return field.substr(1, field.size() - 2);
+    return trim(field.substr(1, field.size() - 2));
   return field;
 }
 
@@ -216,7 +216,8 @@ bool isPassedOver(std::string_view line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
     if (!isBlank(c))
-      return c == '#' || c == '!' || c == '@' || (c == '/' && line.substr(i, 2) == "//");
+      return c == '#' || c == '!' || c == '@' || c == '%' || line.substr(i, 2) == "//" ||
+             (line.substr(i, 2) == "--" && line.find_first_of("0123456789") == std::string_view::npos);
   }
   return true;
 }

@@ -41,7 +41,7 @@ struct TableSource {
   std::string stage;
 };
 
-/// Reads a table in parallel; empty rows and comments (# ! @ //) are passed over. Instantiated for
+/// Reads a table in parallel; empty rows and comments (# ! @ % //) are passed over. Instantiated for
 /// K = 3, 5 and 6.
 template <int K>
 Table<K> readTable(const TableSource& source, const TableLayout<K>& layout);
@@ -59,7 +59,7 @@ bool parseTableRow(std::string_view line, const TableLayout<K>& layout,
 /// The fields of a row, trimmed and without quotes.
 void splitFields(std::string_view line, char delimiter, std::vector<std::string_view>& fields);
 
-/// True for comments (# ! @ //) and rows without any text.
+/// True for comments (# ! @ % //, -- without digits) and rows without any text.
 bool isPassedOver(std::string_view line);
 
 } // namespace graben

@@ -59,6 +59,7 @@ private:
       column.numbers += parseField(fields_[c], value) ? 1 : 0;
       if (std::isfinite(value)) {
         column.whole = column.whole && isWritten(fields_[c], value);
+        column.integral = column.integral && std::floor(value) == value;
         column.low = std::min(column.low, value);
         column.high = std::max(column.high, value);
       }

@@ -13,6 +13,7 @@ struct SampledColumn {
   std::vector<double> values; ///< one per row; NaN where the field is no number
   std::size_t numbers = 0;    ///< fields that are a number or say "no data"
   bool whole = true;          ///< all numbers are whole and written without decimals
+  bool integral = true;       ///< all numbers are whole, also if written as 1030.00
   bool counter = false;       ///< grows by one from row to row
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();

@@ -7,7 +7,9 @@
 #include "graben/core/errors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace graben {
 namespace {
@@ -37,11 +39,52 @@ bool isNumber(std::string_view field) {
   return !field.empty() && parseField(field, value);
 }
 
+bool isDigits(std::string_view field) {
+  return !field.empty() && field.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// `461000,50,5931000,25,-2000,75`: the decimals are fields of their own.
+bool hasCommasForBoth(const std::vector<std::string_view>& fields) {
+  if (fields.size() < 6 || fields.size() % 2 != 0)
+    return false;
+  for (std::size_t i = 0; i < fields.size(); i += 2) {
+    const std::string_view whole = fields[i].substr(fields[i].substr(0, 1) == "-" ? 1 : 0);
+    if (!isDigits(whole) || !isDigits(fields[i + 1]) || fields[i + 1].size() < 2 || fields[i + 1].size() > 3)
+      return false;
+  }
+  return true;
+}
+
+void refuseCommasForBoth(const TextLayout& layout, const std::string& path) {
+  constexpr std::size_t rows_looked_at = 20;
+  LineReader reader(layout.body);
+  std::string_view line;
+  std::vector<std::string_view> fields;
+  std::vector<std::size_t> widths;
+  std::size_t rows = 0;
+  while (layout.delimiter == ',' && rows < rows_looked_at && reader.next(line)) {
+    if (isPassedOver(line))
+      continue;
+    splitFields(line, ',', fields);
+    std::vector<std::size_t> found;
+    for (std::size_t i = 1; i < fields.size(); i += 2)
+      found.push_back(fields[i].size());
+    if (!hasCommasForBoth(fields) || (rows > 0 && found != widths))
+      return;
+    widths = found;
+    ++rows;
+  }
+  if (rows > 0)
+    throw ParseError(path, layout.first_line, "commas stand between the columns and before the decimals; write it with semicolons or points");
+}
+
 /// `1,5` in two fields or more that are not parted by commas; in one where semicolons part them.
 bool isRowWithDecimalCommas(std::string_view row) {
   const bool semicolons = row.find(';') != std::string_view::npos;
   std::vector<std::string_view> words;
   splitFields(row, semicolons ? ';' : ' ', words);
+  if (!semicolons && row.find("\",\"") != std::string_view::npos)
+    splitFields(row, ',', words);
   const auto is_decimal = [](std::string_view word) {
     const std::size_t comma = word.find(',');
     return comma != std::string_view::npos && word.find('.') == std::string_view::npos &&
@@ -92,7 +135,14 @@ bool findColumns(std::string_view row, const std::vector<int>& named, TextLayout
   std::vector<std::string_view> fields;
   splitFields(row, layout.delimiter, fields);
   layout.columns_in_row = fields.size();
+  // Exports of several horizons, and R, start each row with a quoted name that the header does not list.
+  const bool quoted_name = trim(row).substr(0, 1) == "\"" && (!isNumber(fields.front()) || std::count(row.begin(), row.end(), '"') == 2);
+  const bool one_more = layout.names.size() + 1 == fields.size();
+  layout.shift = !layout.names.empty() && layout.names.size() != fields.size() && (quoted_name || (one_more && !isNumber(fields.front()))) ? 1 : 0;
   layout.names_used = *std::min_element(named.begin(), named.end()) >= 0;
+  const bool ruled = std::none_of(fields.begin(), fields.end(), [](std::string_view f) { return f.find_first_not_of("-*?") != std::string_view::npos; });
+  if (ruled) // `--- --- ---` below the names
+    return false;
   if (!layout.names_used) {
     layout.columns.clear();
     for (std::size_t i = 0; i < fields.size() && layout.columns.size() < named.size(); ++i)
@@ -100,18 +150,17 @@ bool findColumns(std::string_view row, const std::vector<int>& named, TextLayout
         layout.columns.push_back(static_cast<int>(i));
     return layout.columns.size() == named.size();
   }
-  // Exports of several horizons start each row with a quoted name that the header does not list.
-  const bool quoted_name = trim(row).front() == '"' && !isNumber(fields.front());
-  const bool listed = layout.names.size() == fields.size();
-  const int shift = quoted_name && !listed ? 1 : 0;
   layout.columns = named;
+  std::size_t numbers = 0;
   for (int& column : layout.columns) {
-    column += shift;
+    column += static_cast<int>(layout.shift);
     const auto at = static_cast<std::size_t>(column);
-    if (at >= fields.size() || !isNumber(fields[at]))
+    const bool no_data = at < fields.size() && fields[at].empty() && layout.delimiter != ' ';
+    if (at >= fields.size() || !(no_data || isNumber(fields[at])))
       return false;
+    numbers += no_data ? 0 : 1;
   }
-  return true;
+  return numbers + 1 >= named.size();
 }
 
 bool layoutOfRow(std::string_view row, const std::vector<int>& named, TextLayout& layout) {
@@ -177,6 +226,8 @@ TextLayout findLayout(std::string_view text, const std::string& path, const Tabl
       if (layoutOfRow(line, named.columns, layout) && isRowOfTable(layout, reader)) {
         if (!named.missing.empty())
           throw ParseError(path, reader.number() - 1, named.missing);
+        if (by_name)
+          refuseCommasForBoth(layout, path);
         layout.nulls = header.nulls();
         layout.xy_unit = header.xyUnit();
         layout.z_unit = header.zUnit();
@@ -217,6 +268,34 @@ std::string withDecimalPoints(std::string_view text) {
   return points;
 }
 
+bool isLastRowCut(std::string_view body, char delimiter, int column) {
+  constexpr std::size_t rows_looked_at = 10;
+  if (body.empty() || body.back() == '\n')
+    return false;
+  // Whether a number has an exponent, and how many digits follow its point.
+  const auto form = [](std::string_view field) {
+    const std::size_t point = field.find('.');
+    const std::size_t end = std::min(field.find_first_not_of("0123456789", point == std::string_view::npos ? 0 : point + 1), field.size());
+    return std::pair(field.find_first_of("eEdD") != std::string_view::npos, point == std::string_view::npos ? std::size_t{0} : end - point - 1);
+  };
+  std::vector<std::string_view> fields;
+  std::vector<std::pair<bool, std::size_t>> forms;
+  while (!body.empty() && forms.size() <= rows_looked_at) {
+    const std::size_t newline = body.find_last_of('\n');
+    const std::string_view line = trim(newline == std::string_view::npos ? body : body.substr(newline + 1));
+    body = newline == std::string_view::npos ? std::string_view{} : body.substr(0, newline);
+    if (isPassedOver(line))
+      continue;
+    splitFields(line, delimiter, fields);
+    double value = 0.0;
+    if (fields.size() != static_cast<std::size_t>(column) + 1 || !parseField(fields.back(), value) || !std::isfinite(value))
+      return false;
+    forms.push_back(form(fields.back()));
+  }
+  const bool others_agree = std::all_of(forms.begin() + 1, forms.end(), [&](const auto& f) { return f == forms[1]; });
+  return forms.size() > 5 && others_agree && (forms[0].first != forms[1].first || forms[0].second < forms[1].second);
+}
+
 void noteColumns(const TextLayout& layout, const TableKind& kind, std::vector<std::string>& notes) {
   const auto& used = layout.columns;
   if (!layout.names_used) {
@@ -228,7 +307,7 @@ void noteColumns(const TextLayout& layout, const TableKind& kind, std::vector<st
                       listOf(kind.wanted));
     return;
   }
-  const int shift = layout.names.size() + 1 == layout.columns_in_row && used[0] > 0 ? 1 : 0;
+  const int shift = static_cast<int>(layout.shift);
   std::vector<std::string> ignored;
   for (std::size_t i = 0; i < layout.names.size(); ++i)
     if (std::find(used.begin(), used.end(), static_cast<int>(i) + shift) == used.end())

@@ -1,11 +1,13 @@
 #include "column_names.h"
 #include "pick_columns.h"
 #include "pick_formats.h"
+#include "plain_table.h"
 #include "text_layout.h"
 
 #include "graben/core/errors.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace graben {
 namespace {
@@ -38,6 +40,32 @@ void chooseHorizon(TextLayout& layout, const PickFile& file, PickSet& picks, std
   }
 }
 
+/// A first row that counts those after it, as `1200 3 1`, far from all of them.
+void dropCountOfRows(const TextLayout& layout, std::vector<Vector3>& rows, PickSet& picks) {
+  const std::size_t count = rows.size() - 1;
+  if (layout.names_used || rows.size() < 5 || rows[0].x() != static_cast<double>(count))
+    return;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    low = std::min(low, rows[i].x());
+    high = std::max(high, rows[i].x());
+  }
+  const double span = high - low;
+  if (!(rows[0].x() < low - 2.0 * span || rows[0].x() > high + 2.0 * span))
+    return;
+  rows.erase(rows.begin());
+  picks.notes.push_back("line " + std::to_string(layout.first_line) + " taken for the number of the rows and left out");
+}
+
+void dropCutRow(const TextLayout& layout, std::size_t bad_rows, std::vector<Vector3>& rows, PickSet& picks) {
+  if (rows.empty() || bad_rows > 0 || !isLastRowCut(layout.body, layout.delimiter, layout.columns[2]))
+    return;
+  rows.pop_back();
+  ++picks.rejected_rows;
+  picks.warnings.push_back(picks.source + ": the last row has no line end and fewer decimals than the others; it is left out, the file may be cut short");
+}
+
 } // namespace
 
 const TableKind& pointTableKind() {
@@ -56,12 +84,8 @@ PickSet readTextPicks(std::string_view text, const PickFile& file) {
   PickSet picks;
   picks.source = file.path;
   picks.format = "text table";
-  std::string with_points;
-  if (hasDecimalCommas(text)) {
-    with_points = withDecimalPoints(text);
-    text = with_points;
-    picks.notes.push_back("decimal commas read as points");
-  }
+  std::string plain;
+  text = plainTable(text, file.path, plain, picks.notes);
   TextLayout layout = findLayout(text, file.path, pointTableKind(), file.options.columns.empty());
   picks.xy_unit = layout.xy_unit;
   picks.z_unit = layout.z_unit;
@@ -72,6 +96,8 @@ PickSet readTextPicks(std::string_view text, const PickFile& file) {
   picks.header_nulls = layout.nulls;
   Table<3> table = readTable<3>(tableSource(layout.body, layout.first_line, file), tableLayoutOf<3>(layout));
   judgeBadRows(table.bad_lines, table.last_line, pointTableKind(), picks);
+  dropCutRow(layout, table.bad_lines.size(), table.rows, picks);
+  dropCountOfRows(layout, table.rows, picks);
   picks.points = std::move(table.rows);
   return picks;
 }

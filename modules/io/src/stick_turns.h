@@ -1,0 +1,17 @@
+#pragma once
+
+#include "graben/core/types.h"
+
+#include <vector>
+
+namespace graben {
+
+/// The sticks of a list of points that nothing parts: each begins where z turns back.
+/// \returns nothing unless all of them go steeply the same way
+std::vector<Points> sticksOfTurns(const Points& list);
+
+/// True if a list of points runs to and fro, as sticks one after another do, and not along one
+/// line.
+bool runsToAndFro(const Points& list);
+
+} // namespace graben
