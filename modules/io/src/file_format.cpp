@@ -78,7 +78,7 @@ FileFormat formatOf(std::string_view bytes, const std::string& path) {
     return FileFormat::Grid;
   if (startsWith(first, "FFASCI") || startsWith(first, "->"))
     return FileFormat::Cps3;
-  if (isBinaryStl(bytes) || (startsWith(first, "solid") && extension != ".obj"))
+  if (isBinaryStl(bytes) || (startsWith(toLower(first.substr(0, 6)), "solid") && extension != ".obj"))
     return FileFormat::Stl;
   if (extension == ".obj" || looksLikeObj(first))
     return FileFormat::Obj;

@@ -135,9 +135,12 @@ std::vector<FaultInput> readGocadFaults(std::string_view text, const std::string
 
 PickSet readGocadPicks(std::string_view text, const PickFile& file) {
   const std::vector<GocadObject> objects = readGocadObjects(text, file.path);
+  // A horizon may also be lines it was picked along, or a surface; its vertices are then the picks.
+  const bool any_points = std::any_of(objects.begin(), objects.end(), [](const GocadObject& o) { return o.isPoints(); });
+  const auto wanted = [&](const GocadObject& o) { return any_points ? o.isPoints() : (o.isLines() || o.isSurface()) && !o.vertices.empty(); };
   std::vector<std::string> names;
   for (const GocadObject& object : objects)
-    if (object.isPoints() && std::find(names.begin(), names.end(), object.name) == names.end())
+    if (wanted(object) && std::find(names.begin(), names.end(), object.name) == names.end())
       names.push_back(object.name);
   if (names.empty())
     throw ParseError(file.path, 0, "holds no VSet (found: " + typesOf(objects) + ")");
@@ -147,13 +150,15 @@ PickSet readGocadPicks(std::string_view text, const PickFile& file) {
     requireHorizon(names, file);
   PickSet picks;
   picks.horizon = file.options.horizon.empty() ? names.front() : file.options.horizon;
-  picks.layout = "VSet";
+  picks.layout = any_points ? "VSet" : "vertices of " + typesOf(objects);
+  if (!any_points)
+    picks.notes.push_back("no VSet: the vertices of " + typesOf(objects) + " taken as picks");
   bool first = true;
   for (const GocadObject& object : objects) {
-    if (!object.isPoints() || object.name != picks.horizon)
+    if (!wanted(object) || object.name != picks.horizon)
       continue;
     if (!first && object.z_positive != picks.z_positive)
-      throw ParseError(file.path, object.line, "this VSet has another ZPOSITIVE than the one before; split the file");
+      throw ParseError(file.path, object.line, "this object has another ZPOSITIVE than the one before; split the file");
     picks.z_positive = object.z_positive;
     picks.xy_unit = object.xy_unit;
     picks.z_unit = object.z_unit;

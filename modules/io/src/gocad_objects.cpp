@@ -236,6 +236,8 @@ void GocadParser::parseLine() {
   } else if (key == "END") {
     object_.ended = true;
     finish();
+  } else if (key == "END_MEMBERS") { // of a group
+    finish();
   } else if (!open_) {
     fail("not part of a GOCAD object: '" + std::string(line_.substr(0, 60)) + "'");
   } else if (key.substr(0, 6) == "HEADER") {

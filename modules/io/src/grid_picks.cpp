@@ -3,6 +3,7 @@
 
 #include "line_reader.h"
 #include "numbers.h"
+#include "text_layout.h"
 
 #include "graben/core/errors.h"
 #include "graben/core/short_number.h"
@@ -478,15 +479,20 @@ PickSet readGridPicks(const PickFile& file) {
   const std::string_view bytes = file.content.bytes();
   std::string storage;
   const auto text = [&] { return textOf(file.content, file.path, storage); };
+  std::string points;
+  const auto blank_parted = [&] { // commas are decimals there
+    const std::string_view all = text();
+    return hasDecimalCommas(all) ? std::string_view(points = withDecimalPoints(all)) : all;
+  };
   switch (gridKindOf(bytes)) {
-  case GridKind::Irap: return readIrapGrid(text(), file.path);
+  case GridKind::Irap: return readIrapGrid(blank_parted(), file.path);
   case GridKind::Zmap: return readZmapGrid(text(), file.path);
   case GridKind::Gxf: return readGxfGrid(text(), file.path);
   case GridKind::Cps3: return readCps3Grid(text(), file.path);
-  case GridKind::SurferText: return readSurferText(text(), file.path);
+  case GridKind::SurferText: return readSurferText(blank_parted(), file.path);
   case GridKind::Surfer6: return readSurfer6(bytes, file.path);
   case GridKind::Surfer7: return readSurfer7(bytes, file.path);
-  case GridKind::Esri: return readEsriGrid(text(), file.path);
+  case GridKind::Esri: return readEsriGrid(blank_parted(), file.path);
   case GridKind::None: break;
   }
   throw ParseError(file.path, 0, "is no grid of a kind known here");

@@ -86,7 +86,7 @@ private:
   void parseFields() {
     for (std::size_t i = 1; i < words_.size(); ++i) {
       header_.fields.emplace_back();
-      header_.fields.back().name = words_[i];
+      header_.fields.back().name = words_[i].size() == 1 ? toLower(words_[i]) : std::string(words_[i]); // X, Y and Z too
     }
   }
 

@@ -5,6 +5,8 @@
 #include "table_reader.h"
 #include "text_layout.h"
 
+#include "graben/core/errors.h"
+
 #include <algorithm>
 
 namespace graben {
@@ -52,6 +54,10 @@ std::string withoutPipes(std::string_view text) {
 
 std::string_view plainTable(std::string_view text, const std::string& path, std::string& storage,
                             std::vector<std::string>& notes) {
+  const std::string_view first = trim(text.substr(0, text.find_first_of("\r\n")));
+  for (const std::string_view mesh : {"OFF", "COFF", "NOFF", "STOFF"})
+    if (first == mesh)
+      throw ParseError(path, 1, "is an OFF mesh, which is not read; convert it to PLY or OBJ");
   if (isJson(text)) {
     storage = tableOfGeoJson(text, path);
     notes.emplace_back("GeoJSON: a row for each of its points");

@@ -73,10 +73,13 @@ void PlyHeaderParser::parseElement() {
   std::int64_t count = 0;
   if (words_.size() < 3 || !parseInteger(words_[2], count) || count < 0)
     fail("a PLY element needs a name and a count");
+  std::string name(words_[1]);
+  if (toLower(name) == "vertex" || toLower(name) == "face")
+    name = toLower(name);
   for (const PlyElement& element : header_.elements)
-    if (element.name == words_[1])
+    if (element.name == name)
       fail("a second PLY element '" + std::string(words_[1].substr(0, 60)) + "'; each may be there once");
-  header_.elements.push_back({std::string(words_[1]), static_cast<std::uint64_t>(count), {}});
+  header_.elements.push_back({std::move(name), static_cast<std::uint64_t>(count), {}});
 }
 
 void PlyHeaderParser::parseProperty() {
@@ -95,6 +98,8 @@ void PlyHeaderParser::parseProperty() {
     property.type = type(words_[1]);
     property.name = words_[2];
   }
+  if (property.name.size() == 1) // X, Y and Z too
+    property.name = toLower(property.name);
   header_.elements.back().properties.push_back(property);
 }
 

@@ -50,6 +50,7 @@ private:
   bool readBinaryTriangles(const PlyElement& element);
   void readFaces(const PlyElement& element);
   void addPolygon(const std::vector<double>& corners);
+  void refuseMore();
   void note();
 
   const std::string& path_;
@@ -304,8 +305,21 @@ void PlyReader::note() {
     input_.notes.push_back(std::to_string(polygons_) + " polygons split into triangles");
 }
 
+/// More rows than the header counts are no reason to drop them.
+void PlyReader::refuseMore() {
+  constexpr std::size_t least = 12; // a row of three floats; less is padding
+  const std::string_view rest = body_.rest();
+  const bool ascii = header_.encoding == PlyEncoding::Ascii;
+  const std::size_t first = rest.find_first_not_of(ascii ? std::string_view(" \t\r\n") : std::string_view("\0\n\r", 3));
+  if (first != std::string_view::npos && (ascii || rest.size() >= least))
+    fail("the header promises " + std::to_string(input_.mesh.vertices.size()) + " vertices" +
+         (with_faces_ ? " and " + std::to_string(input_.mesh.triangles.size()) + " triangles" : "") +
+         ", but the file holds more; correct its header");
+}
+
 MeshInput PlyReader::read() {
   input_.name = stemOf(path_);
+  bool to_the_end = true;
   for (const PlyElement& element : header_.elements) {
     if (element.name == "vertex") {
       readVertices(element);
@@ -314,13 +328,16 @@ MeshInput PlyReader::read() {
     } else {
       if (element.count > 0 && !with_faces_)
         ignored_.push_back("element " + element.name);
-      if (!with_faces_ && has_vertices_)
+      to_the_end = with_faces_ || !has_vertices_;
+      if (!to_the_end)
         break;
       body_.skip(element);
     }
   }
   if (!has_vertices_)
     fail("the PLY file has no vertices");
+  if (to_the_end)
+    refuseMore();
   if (header_.origin) {
     for (Vector3& p : input_.mesh.vertices)
       p += *header_.origin;

@@ -49,7 +49,7 @@ bool isBinary(std::string_view bytes) {
   if (bytes.size() < 84)
     return false;
   std::memcpy(&count, bytes.data() + 80, sizeof(count));
-  return bytes.size() == 84 + std::uint64_t{50} * count || bytes.substr(0, 5) != "solid";
+  return bytes.size() == 84 + std::uint64_t{50} * count || toLower(bytes.substr(0, 5)) != "solid";
 }
 
 TriangleMesh readBinaryStl(std::string_view bytes, const std::string& path) {
@@ -77,7 +77,7 @@ TriangleMesh readBinaryStl(std::string_view bytes, const std::string& path) {
   return mesh;
 }
 
-TriangleMesh readTextStl(std::string_view text, const std::string& path) {
+TriangleMesh readTextStl(std::string_view text, const std::string& path, bool& ended) {
   LineReader reader(text);
   std::string_view line;
   std::vector<std::string_view> words;
@@ -87,6 +87,7 @@ TriangleMesh readTextStl(std::string_view text, const std::string& path) {
   while (reader.next(line)) {
     splitWords(line, words);
     const std::string key = words.empty() ? std::string() : toLower(words[0]);
+    ended |= key == "endsolid" || key == "end";
     if (key == "vertex") {
       Vector3 corner;
       for (std::size_t k = 0; k < 3; ++k)
@@ -113,7 +114,10 @@ TriangleMesh readTextStl(std::string_view text, const std::string& path) {
 MeshInput readStlMesh(std::string_view bytes, const std::string& path) {
   MeshInput input;
   input.name = stemOf(path);
-  input.mesh = isBinary(bytes) ? readBinaryStl(bytes, path) : readTextStl(bytes, path);
+  bool ended = isBinary(bytes);
+  input.mesh = ended ? readBinaryStl(bytes, path) : readTextStl(bytes, path, ended);
+  if (!ended)
+    input.warnings.push_back(path + ": the solid has no endsolid; the file may be cut short");
   return input;
 }
 

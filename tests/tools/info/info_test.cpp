@@ -53,6 +53,22 @@ TEST_F(Info, ListsAllHorizonsOfAFile) {
   EXPECT_THAT(run("info", "horizons.txt:Base").output, Not(HasSubstr("horizon Top")));
 }
 
+TEST_F(Info, TakesFlatLinesOfManyPointsForPicks) {
+  std::string lines;
+  std::string rows;
+  for (int line = 0; line < 6; ++line) {
+    for (int i = 0; i < 40; ++i) {
+      lines += std::to_string(25 * i) + ".5 " + std::to_string(500 * line) + ".25 " + std::to_string(-2000 - i % 5) + ".125\n";
+      rows += std::to_string(25 * i) + ".5 " + std::to_string(25 * line) + ".25 " + std::to_string(-2000 - 15 * i) + ".125\n"; // 31 degrees
+    }
+    lines += "\n";
+  }
+  write("lines.xyz", lines);
+  write("steep.xyz", rows);
+  EXPECT_THAT(run("info", "lines.xyz").output, HasSubstr("picks of a horizon"));
+  EXPECT_THAT(run("info", "steep.xyz").output, HasSubstr("picks of a horizon"));
+}
+
 TEST_F(Info, GoesOnAfterAFileItCannotRead) {
   write("prose.txt", "no numbers here\n");
   const test::Outcome outcome = run("info", "prose.txt picks.csv");
