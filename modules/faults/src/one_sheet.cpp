@@ -24,6 +24,9 @@ constexpr double kFacingShare = 0.5; // of the narrower patch: what faces the ot
 constexpr double kSmallGap = 0.2;   // of the lower patch: the largest gap or overlap
 constexpr double kOneSheet = 0.05;  // of the lower patch: how far patches lie off one smooth surface
 constexpr double kSamples = 3000.0; // of all patches
+constexpr std::size_t kManyPieces = 50;    // that nothing joins: loose triangles rather than patches
+constexpr std::size_t kLoosePiece = 4;     // fewer triangles than this in a piece, on average
+constexpr double kNearPieces = 0.5;        // of the usual edge: how far corners of loose triangles lie off the surface near them
 
 bool isClosed(const TriangleMesh& mesh) {
   const EdgeAdjacency adjacency(mesh);
@@ -173,6 +176,33 @@ std::optional<FaultSurface> joinedPatches(const FaultSurface& fault) {
   return std::move(joined.surface);
 }
 
+double usualEdge(const TriangleMesh& mesh) {
+  std::vector<double> lengths;
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      lengths.push_back((mesh.vertices[static_cast<std::size_t>(t[k])] - mesh.vertices[static_cast<std::size_t>(t[(k + 1) % 3])]).norm());
+  return median(lengths);
+}
+
+/// The smooth surface near loose triangles, whose corners lie near each other but are not the same; none if the triangles are not loose.
+/// \throw InvalidInputError if they are far from one surface
+std::optional<FaultSurface> surfaceOfLoosePieces(const FaultSurface& fault) {
+  const Components components = connectedComponents(fault.mesh);
+  if (components.triangle_count.size() < kManyPieces || components.triangle_count.size() * kLoosePiece < fault.mesh.triangles.size())
+    return std::nullopt;
+  detail::SmoothLoft joined = detail::smoothSurface(fault.name, fault.mesh.vertices, std::nullopt);
+  const TriangleBvh bvh(joined.surface.mesh);
+  std::vector<double> off;
+  for (const Vector3& p : fault.mesh.vertices)
+    off.push_back(bvh.nearest(p).distance);
+  std::sort(off.begin(), off.end());
+  if (const double far = off[off.size() * 9 / 10]; far > kNearPieces * usualEdge(fault.mesh))
+    throw InvalidInputError("building fault " + fault.name, "It is no surface: its triangles lie loose, in " + std::to_string(components.triangle_count.size()) +
+                                                                " pieces that share no corners, and off the smooth surface near them by " + shortNumber(far) +
+                                                                " (a tenth by more). Join them into a surface, or give points or sticks.");
+  return std::move(joined.surface);
+}
+
 Points finite(const Points& points) {
   Points result;
   std::copy_if(points.begin(), points.end(), std::back_inserter(result), [](const Vector3& p) { return p.allFinite(); });
@@ -204,6 +234,11 @@ LoftedFaults meshedFault(const std::string& name, const TriangleMesh& mesh, cons
   } else if (auto joined = joinedPatches(surface)) {
     result.notes.push_back(fault + "its " + std::to_string(connectedComponents(surface.mesh).triangle_count.size()) +
                            " patches go on in each other and were joined into one surface.");
+    surface = std::move(*joined);
+  }
+  if (auto joined = surfaceOfLoosePieces(surface)) {
+    result.warnings.push_back(fault + "its triangles lie loose, in " + std::to_string(connectedComponents(surface.mesh).triangle_count.size()) +
+                              " pieces that share no corners; a smooth surface was laid near them.");
     surface = std::move(*joined);
   }
   result.faults.push_back(std::move(surface));

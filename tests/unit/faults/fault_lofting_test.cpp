@@ -185,6 +185,29 @@ TEST_P(Digitised, AClosedThinVolumeIsReducedToItsMiddle) {
   EXPECT_LT(fault.worst(only(lofted)), 6.0);
 }
 
+/// Each triangle by itself, its corners off by up to \a off.
+TriangleMesh loosened(const TriangleMesh& mesh, double off) {
+  Random random(9);
+  TriangleMesh loose;
+  for (const Triangle& t : mesh.triangles) {
+    const auto first = static_cast<Index>(loose.vertices.size());
+    for (const Index v : t)
+      loose.vertices.push_back(mesh.vertices[static_cast<std::size_t>(v)] + random.point(off));
+    loose.triangles.push_back({first, first + 1, first + 2});
+  }
+  return loose;
+}
+
+TEST_P(Digitised, LooseTrianglesMakeOneSurfaceWhereTheyAreOne) {
+  const TriangleMesh mesh = meshOf(GetParam(), -1700.0, -2300.0);
+  ASSERT_GT(mesh.triangles.size(), 50U);
+  const LoftedFaults lofted = meshedFault("f", loosened(mesh, 3.0));
+  ASSERT_EQ(lofted.warnings.size(), 1U);
+  EXPECT_NE(lofted.warnings[0].find("lie loose"), std::string::npos);
+  EXPECT_LT(GetParam().worst(only(lofted)), 12.0);
+  EXPECT_NE(messageOf([&] { meshedFault("f", loosened(mesh, 900.0)); }).find("It is no surface: its triangles lie loose"), std::string::npos);
+}
+
 TEST_P(Digitised, PatchesOneAboveTheOtherSeparateAsOne) {
   const TrueFault& fault = GetParam();
   for (const double gap : {20.0, -20.0}) {

@@ -139,7 +139,8 @@ std::vector<NamedSticks> twoFaults() {
       FaultStick stick;
       const Points bits = points(static_cast<std::size_t>(3 + s % 3), 0.0, 0.0);
       for (std::size_t n = 0; n < bits.size(); ++n)
-        stick.points.push_back(Vector3(461000.0 + 5000.0 * static_cast<double>(faults.size()), 5931000.0 + 200.0 * s, -1000.0 - 150.0 * static_cast<double>(n)) +
+        stick.points.push_back(Vector3(461000.0 + 5000.0 * static_cast<double>(faults.size()), 5931000.0 + 200.0 * s,
+                                       -1000.0 - 150.0 * static_cast<double>(n)) +
                                bits[n] / 1000.0);
       fault.sticks.push_back(std::move(stick));
     }
