@@ -9,6 +9,7 @@
 #include <cstring>
 #include <iostream>
 #include <new>
+#include <system_error>
 
 namespace graben {
 namespace {
@@ -63,6 +64,10 @@ int runTool(const OptionParser& parser, int argc, const char* const* argv,
     return complain(parser.tool(), error.what(), kNotGood);
   } catch (const std::bad_alloc&) {
     return complain(parser.tool(), "out of memory; give it more, or less to do", kNotGood);
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again) // a thread finds no room for its stack
+      return complain(parser.tool(), "out of memory, or of threads; give it more, or less to do (--threads)", kNotGood);
+    return complain(parser.tool(), std::string("internal error, please report it: ") + error.what(), kInternal);
   } catch (const std::exception& error) {
     return complain(parser.tool(), std::string("internal error, please report it: ") + error.what(), kInternal);
   } catch (...) {

@@ -197,9 +197,10 @@ std::optional<FaultSurface> surfaceOfLoosePieces(const FaultSurface& fault) {
     off.push_back(bvh.nearest(p).distance);
   std::sort(off.begin(), off.end());
   if (const double far = off[off.size() * 9 / 10]; far > kNearPieces * usualEdge(fault.mesh))
-    throw InvalidInputError("building fault " + fault.name, "It is no surface: its triangles lie loose, in " + std::to_string(components.triangle_count.size()) +
-                                                                " pieces that share no corners, and off the smooth surface near them by " + shortNumber(far) +
-                                                                " (a tenth by more). Join them into a surface, or give points or sticks.");
+    throw InvalidInputError("building fault " + fault.name,
+                            "It is no surface: its triangles lie loose, in " + std::to_string(components.triangle_count.size()) +
+                                " pieces that share no corners, and off the smooth surface near them by " + shortNumber(far) +
+                                " (a tenth by more). Join them into a surface, or give points or sticks.");
   return std::move(joined.surface);
 }
 

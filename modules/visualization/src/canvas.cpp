@@ -9,6 +9,9 @@
 #include <cairo.h>
 
 #include <cmath>
+#include <new>
+
+#include <sys/mman.h>
 
 namespace graben {
 
@@ -40,6 +43,18 @@ void setPen(cairo_t* to, const Pen& pen) {
 void setFont(cairo_t* to, const TextLook& look) {
   cairo_select_font_face(to, "sans-serif", CAIRO_FONT_SLANT_NORMAL, look.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(to, look.size);
+}
+
+/// cairo crashes where memory gives out, so what a picture may take must be free before it is drawn.
+/// \throw std::bad_alloc if it is not
+void requireMemory(int width, int height) {
+  constexpr std::size_t usual = std::size_t{24} << 20;
+  constexpr std::size_t per_pixel = 8;
+  const std::size_t bytes = usual + per_pixel * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  void* room = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED)
+    throw std::bad_alloc();
+  ::munmap(room, bytes);
 }
 
 } // namespace
@@ -76,6 +91,7 @@ struct Canvas::State {
 
 Canvas::Canvas(int width, int height) : width_(width), height_(height) {
   checkPictureSize(width, height);
+  requireMemory(width, height);
   state_ = std::make_unique<State>(width, height);
   box({0.0, 0.0, static_cast<double>(width), static_cast<double>(height)}, kWhite);
 }
@@ -192,8 +208,13 @@ void Canvas::image(const Pixels& pixels, const Frame& frame) {
   if (pixels.values.empty())
     return;
   const cairo_format_t format = pixels.transparent ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24;
+  requireMemory(pixels.width, pixels.height);
   cairo_surface_t* surface = cairo_image_surface_create(format, pixels.width, pixels.height);
   unsigned char* data = cairo_image_surface_get_data(surface);
+  if (data == nullptr) {
+    cairo_surface_destroy(surface);
+    throw std::bad_alloc();
+  }
   const int stride = cairo_image_surface_get_stride(surface);
   for (int row = 0; row < pixels.height; ++row)
     std::copy_n(&pixels.values[static_cast<std::size_t>(row) * static_cast<std::size_t>(pixels.width)], pixels.width,
@@ -221,6 +242,7 @@ void Canvas::clip(const Frame& frame) {
 void Canvas::unclip() { cairo_restore(state_->context); }
 
 void Canvas::write(const std::string& stem, const PictureFormats& formats) const {
+  requireMemory(width_, height_);
   const auto finish = [](cairo_surface_t* surface) {
     cairo_surface_finish(surface);
     const cairo_status_t status = cairo_surface_status(surface);

@@ -100,6 +100,23 @@ TEST_F(ReconstructWrongUse, OfAFullDiskLeavesTheFormerSurface) {
   EXPECT_EQ(names(), (std::set<std::string>{"far.pol", "picks.xyz", "top.ply"}));
 }
 
+TEST_F(ReconstructWrongUse, TooLittleMemoryForThePicturesIsSaidToo) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers take all addresses there are";
+#endif
+  bool done = false;
+  for (int megabytes = 60; megabytes < 1500 && !done; megabytes += 10) {
+    const std::string limit = "ulimit -v " + std::to_string(1000 * megabytes) + " &&";
+    const test::Outcome outcome = run("reconstruct", "--horizon picks.xyz --output top.ply --results out --quiet --picture-formats png", limit);
+    done = outcome.code == 0;
+    if (done || outcome.errors.find("loading shared libraries") != std::string::npos) // before graben's first line
+      continue;
+    ASSERT_EQ(outcome.code, 1) << megabytes << " MB: " << outcome.errors;
+    EXPECT_FALSE(outcome.errors.empty()) << megabytes << " MB";
+  }
+  EXPECT_TRUE(done);
+}
+
 TEST_F(ReconstructWrongUse, TooSmallAVoxelIsAnErrorNotAHang) {
   expectError("--horizon picks.xyz --output top.ply --voxel-size 1e-6", 1,
               {"picks.xyz", "voxel size"});
