@@ -1,14 +1,21 @@
 // What must not change the horizon: the order and direction in which things are given, threads, the frame and the unit.
+#include "graben/faults/fault_lofting.h"
+#include "graben/io/fault_reader.h"
+#include "graben/io/mesh_writer.h"
+#include "graben/io/pick_writer.h"
 #include "graben/mesh/adjacency.h"
 #include "graben/mesh/triangle_bvh.h"
 #include "graben/pipeline/horizon_reconstruction.h"
 #include "graben/synthetic/synthetic_model.h"
+#include "support/temp_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <random>
 
 namespace graben {
@@ -188,6 +195,45 @@ TEST_P(Reconstruction, TheOrderAndDirectionOfSticksChangeNothing) {
     std::shuffle(sticks.begin(), sticks.end(), std::mt19937_64(5));
   }
   expectSameBytes(run(other), expected_);
+}
+
+/// The faults, read from files.
+Job withFaultsOf(Job job, const std::vector<std::string>& paths) {
+  job.faults.clear();
+  for (const std::string& path : paths)
+    for (FaultInput& fault : readFaults(path))
+      job.faults.push_back(std::move(fault));
+  return job;
+}
+
+TEST_P(Reconstruction, HowFaultsAreSpreadOverFilesChangesNothing) {
+  const test::TempFolder folder;
+  std::vector<NamedSticks> sticks;
+  for (const FaultInput& fault : job_.faults)
+    sticks.push_back({fault.name, std::get<std::vector<FaultStick>>(fault.geometry)});
+  writePline(folder.path("all.pl"), sticks);
+  writeStickTable(folder.path("all.csv"), sticks);
+  std::vector<std::string> lines, tables, surfaces;
+  std::string all_surfaces;
+  for (const NamedSticks& fault : sticks) {
+    lines.push_back(folder.path(fault.name + ".pl"));
+    writePline(lines.back(), {fault});
+    tables.push_back(folder.path(fault.name + ".csv"));
+    writeStickTable(tables.back(), {fault});
+    surfaces.push_back(folder.path(fault.name + ".ts"));
+    MeshWriteOptions named;
+    named.name = fault.name;
+    writeMesh(surfaces.back(), loftFaults(fault.name, fault.sticks).faults.at(0).mesh, named);
+    std::ifstream file(surfaces.back());
+    all_surfaces.append(std::istreambuf_iterator<char>(file), {});
+  }
+  const std::string joined = folder.write("all.ts", all_surfaces);
+  for (const auto& paths : {std::vector<std::string>{folder.path("all.pl")}, {folder.path("all.csv")}, lines, tables})
+    expectSameBytes(run(withFaultsOf(job_, paths)), expected_);
+  const ReconstructionResult separate = run(withFaultsOf(job_, surfaces));
+  expectSameBytes(run(withFaultsOf(job_, {joined})), separate);
+  std::reverse(surfaces.begin(), surfaces.end());
+  EXPECT_TRUE(run(withFaultsOf(job_, surfaces)).mesh.vertices == separate.mesh.vertices);
 }
 
 TEST_P(Reconstruction, TheUnitChangesNothing) {
