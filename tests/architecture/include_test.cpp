@@ -109,6 +109,18 @@ std::map<std::string, SourceFile> publicHeaders() {
   return headers;
 }
 
+TEST(Names, OfClassesAreDefinedInOneHeaderEach) {
+  static const std::regex kDefinition(R"(^(?:struct|class|enum class) (?:alignas\([^)]*\) )?(\w+)(?: final)?(?: :[^:].*| \{.*)$)");
+  std::map<std::string, std::string> where;
+  for (const auto& [name, file] : publicHeaders())
+    for (const std::string& line : file.lines)
+      if (std::smatch match; std::regex_match(line, match, kDefinition)) {
+        const auto [first, is_new] = where.emplace(match[1].str(), name);
+        EXPECT_TRUE(is_new) << match[1] << " is defined in " << first->second << " and in " << name;
+      }
+  EXPECT_GT(where.size(), 100U);
+}
+
 /// All that a header includes, itself too.
 std::set<std::string> reached(const std::map<std::string, SourceFile>& headers, const std::string& from) {
   std::set<std::string> found;

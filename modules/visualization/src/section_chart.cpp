@@ -135,7 +135,7 @@ public:
     for (const auto& [piece, segments] : content.pieces)
       lines(segments, {darker(pieceColor(piece)), 3.0});
     lines(content.truth, {kDark, 1.3, 1.0, {6.0, 5.0}});
-    for (const SectionThrow& mark : scene_.throws)
+    for (const ThrowLabel& mark : scene_.throws)
       drawThrow(mark);
     canvas_.unclip();
     drawTitle(canvas_, options_.title, plot_.frame.middle().x());
@@ -167,7 +167,7 @@ private:
   }
 
   /// The two cutoffs' heights, carried out to a bar beside the fault.
-  void drawThrow(const SectionThrow& mark) {
+  void drawThrow(const ThrowLabel& mark) {
     const Place f = at(projection_.of(mark.footwall));
     const Place h = at(projection_.of(mark.hanging_wall));
     const double side = h.x() >= f.x() ? 1.0 : -1.0; // over the hanging wall

@@ -1,4 +1,5 @@
 #include <graben/graben.h>
+#include <graben/model/model_section.h>
 #include <graben/visualization/section.h>
 
 #include <iostream>

@@ -31,7 +31,7 @@ struct SectionSegment {
 std::vector<SectionSegment> cutMesh(const TriangleMesh& mesh, const SectionLine& line);
 
 /// A throw to be named in a section: at both of a fault's cutoffs a line is drawn to the text's side.
-struct SectionThrow {
+struct ThrowLabel {
   Vector3 footwall = Vector3::Zero();
   Vector3 hanging_wall = Vector3::Zero();
   std::string text;
@@ -43,7 +43,7 @@ struct SectionScene {
   std::vector<const TriangleMesh*> faults; ///< thick dark red
   std::vector<const TriangleMesh*> truth;  ///< dashed black
   const Points* picks = nullptr;           ///< those within the band are projected onto the section
-  std::vector<SectionThrow> throws = {};
+  std::vector<ThrowLabel> throws = {};
 };
 
 struct SectionOptions {
