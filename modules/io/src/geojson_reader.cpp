@@ -105,6 +105,8 @@ bool isJson(std::string_view text) {
   if (start.empty() || (start.front() != '{' && start.front() != '['))
     return false;
   const std::size_t second = start.find_first_not_of(" \t\r\n", 1);
+  if (second == std::string_view::npos)
+    return false;
   return start.front() == '{'
              ? second != std::string_view::npos && (start[second] == '"' || start[second] == '}')
              : start[second] == '{';

@@ -30,7 +30,7 @@ bool isNoDataWord(std::string_view field) {
                                                              "#n/a",  "nodata",    "no_data", "void", "missing", "-",   "--",   "?"};
   if (field.find_first_not_of('*') == std::string_view::npos) // nothing, or what Fortran writes for a number that does not fit its field
     return true;
-  if (field.size() > 12)
+  if (field.empty() || field.size() > 12)
     return false;
   const std::string lower = toLower(field);
   const std::string_view unsigned_part = std::string_view(lower).substr(lower.front() == '-' ? 1 : 0);

@@ -86,7 +86,7 @@ public:
       columns.sticks.push_back(stick + shift);
     else if (traces && columns.name < 0 && columns.node < 0)
       columns.doubt = "the header names traces, as that of a horizon along lines does";
-    if (shift > 0 && sample_.columns[0].counter)
+    if (shift > 0 && !sample_.columns.empty() && sample_.columns[0].counter)
       columns.name = -1; // numbers of the rows
     if (const std::string other = otherNameForZ(names); !other.empty() && columns.place.size() == 3)
       columns.doubt = "both '" + names[static_cast<std::size_t>(columns.place[2] - shift)] + "' and '" + other + "' may be z";
@@ -119,6 +119,8 @@ public:
 private:
   /// Where no name says which column tells the sticks: one whose number stays along some rows and then changes for good (`id`, `fid`, `group`).
   void takeNumberedRuns(StickColumns& columns, int shift) const {
+    if (!columns.sticks.empty() && static_cast<std::size_t>(columns.sticks[0]) >= sample_.columns.size())
+      return; // rows are shorter than the header
     if (!columns.sticks.empty() && !sample_.columns[static_cast<std::size_t>(columns.sticks[0])].constant())
       return;
     for (std::size_t c = 0; c < sample_.columns.size(); ++c) {

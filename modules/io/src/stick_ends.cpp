@@ -49,7 +49,7 @@ StickEnds::StickEnds(const TextLayout& layout, std::string_view body)
       continue;
     }
     if (isText(line)) {
-      certain_ |= trim(line).front() == '>';
+      certain_ |= trim(line).substr(0, 1) == ">";
       text = any;
       continue;
     }
@@ -77,7 +77,7 @@ bool StickEnds::takeTexts() {
 bool StickEnds::isText(std::string_view line) const {
   line = trim(line);
   double value = 0.0;
-  if (isPassedOver(line) || line.front() == '>')
+  if (isPassedOver(line) || line.substr(0, 1) == ">")
     return true;
   std::vector<std::string_view> fields;
   splitFields(line, delimiter_, fields);
@@ -89,7 +89,7 @@ bool StickEnds::isText(std::string_view line) const {
 }
 
 bool StickEnds::isEnd(std::string_view line) const {
-  return isEmptyRow(line) || trim(line).front() == '>' || (texts_end_ && isText(line));
+  return isEmptyRow(line) || trim(line).substr(0, 1) == ">" || (texts_end_ && isText(line));
 }
 
 bool StickEnds::isShortEnd(const std::vector<std::string_view>& fields) const {

@@ -82,7 +82,8 @@ bool areWholeAndSmall(const TableSample& sample, const std::vector<int>& place) 
     const SampledColumn& column = sample.columns[static_cast<std::size_t>(c)];
     return column.integral && column.low > 0.0 && column.high < most;
   };
-  return sample.rows >= fewest && is(place[0]) && is(place[1]) && !sample.columns[static_cast<std::size_t>(place[2])].integral;
+  const auto there = [&](int c) { return static_cast<std::size_t>(c) < sample.columns.size(); };
+  return sample.rows >= fewest && std::all_of(place.begin(), place.end(), there) && is(place[0]) && is(place[1]) && !sample.columns[static_cast<std::size_t>(place[2])].integral;
 }
 
 class StickTableReader {
