@@ -83,7 +83,8 @@ bool areWholeAndSmall(const TableSample& sample, const std::vector<int>& place) 
     return column.integral && column.low > 0.0 && column.high < most;
   };
   const auto there = [&](int c) { return static_cast<std::size_t>(c) < sample.columns.size(); };
-  return sample.rows >= fewest && std::all_of(place.begin(), place.end(), there) && is(place[0]) && is(place[1]) && !sample.columns[static_cast<std::size_t>(place[2])].integral;
+  return sample.rows >= fewest && std::all_of(place.begin(), place.end(), there) &&
+         is(place[0]) && is(place[1]) && !sample.columns[static_cast<std::size_t>(place[2])].integral;
 }
 
 class StickTableReader {
