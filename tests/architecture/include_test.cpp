@@ -35,7 +35,7 @@ const std::map<std::string, std::map<std::string, std::set<std::string>>> kFolde
       {"cells", {"local", "field"}},
       {"cut", {"local", "field", "cells"}},
       {"fit", {"local", "field", "cut"}},
-      {"plate", {"cut", "fit"}},
+      {"kriging", {"cut", "fit"}},
       {"classes", {"local", "field", "cells", "cut", "fit"}}}},
 };
 

@@ -82,7 +82,7 @@ private:
   double fitReach() const;
   void chooseModels(const LocalFit& local);
   void refineLocally();
-  void bendBetweenLines();
+  void krigeBetweenLines();
   void tidy();
   std::size_t smallestPiece() const;
   NoSurface noSurface(bool cut) const;

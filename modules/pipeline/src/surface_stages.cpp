@@ -9,7 +9,7 @@
 #include "graben/surface/defaults.h"
 #include "graben/surface/fault_cut.h"
 #include "graben/surface/local_fit.h"
-#include "graben/surface/plate_fit.h"
+#include "graben/surface/kriging_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,9 +135,9 @@ void ReconstructionJob::fit() {
     zone.zone_width = std::min(zone.zone_width, kBesideFaults * used.voxel_size);
     zone.passes = 1;
   }
-  const bool bend = local_fit && mostlyLines() && picks_.measured.empty(); // a plate knows nothing of dips
-  if (bend) {
-    bendBetweenLines();
+  const bool krige = local_fit && mostlyLines() && picks_.measured.empty(); // kriging knows nothing of dips
+  if (krige) {
+    krigeBetweenLines();
     return;
   }
   if (!options_.skip.zone_fit)
@@ -166,15 +166,17 @@ void ReconstructionJob::refineLocally() {
   refine(cut_, *corners_, local, refinement);
 }
 
-/// Between lines far apart no polynomial does: the surface bends like a plate that the picks hold.
-void ReconstructionJob::bendBetweenLines() {
+/// Between lines far apart no polynomial does.
+void ReconstructionJob::krigeBetweenLines() {
   chooseModels(LocalFit(grid_, planes_, faults_, fitReach(), mean_distance_)); // by which the deviation is told
-  PlateFitOptions o;
+  KrigingOptions o;
   o.gap = given_->layout.line_distance;
   o.threads = options_.threads;
-  const PlateFitResult plate = fitPlate(cut_, *corners_, picks_.points, faults_, o);
-  result_.report.layout.bending_length = plate.stiffness.length;
-  result_.report.layout.bending_order = plate.stiffness.order;
+  const KrigingResult kriged = fitByKriging(cut_, *corners_, picks_.points, faults_, o);
+  PickLayoutReport& layout = result_.report.layout;
+  layout.correlation = nameOf(kriged.correlation.correlation);
+  layout.correlation_length = kriged.correlation.length;
+  layout.correlation_noise = kriged.correlation.noise;
 }
 
 /// A few triangles, mostly in the corners between faults, may be folded over or still reach over a fault after the fit; none may stay.

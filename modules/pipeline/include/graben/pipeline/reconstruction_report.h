@@ -74,8 +74,9 @@ struct PickLayoutReport {
   double line_distance = 0.0; ///< from line to line, as a rule
   double share = 0.0;         ///< of the picks that lie on lines
   double noise = 0.0;         ///< standard deviation of the picks about their line
-  int bending_order = 0;       ///< of the derivatives that it keeps small, 2 or 3
-  double bending_length = 0.0; ///< of the plate that the surface is between the lines, see fitPlate()
+  std::string correlation;         ///< by which the surface was kriged between the lines, see fitByKriging(); empty where it was not
+  double correlation_length = 0.0;
+  double correlation_noise = 0.0;  ///< standard deviation of a pick, in those of the surface's heights
 };
 
 /// One side of a fault before which picks stop short, in x, y units.

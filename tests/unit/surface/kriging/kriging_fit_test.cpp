@@ -1,6 +1,6 @@
 #include "shapes.h"
 
-#include "graben/surface/plate_fit.h"
+#include "graben/surface/kriging_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -32,17 +32,15 @@ CutMesh flat() {
 
 struct Fitted {
   CutMesh cut = flat();
-  PlateFitResult result;
+  KrigingResult result;
 
-  explicit Fitted(const Points& picks, unsigned threads = 0, std::size_t most_nodes = 6000,
-                  const std::vector<PlateStiffness>& stiffness = PlateFitOptions().stiffness) {
-    PlateFitOptions options;
+  explicit Fitted(const Points& picks, unsigned threads = 0, std::size_t most_nodes = 6000, const SurfaceCorrelation& given = {}) {
+    KrigingOptions options;
     options.gap = 8.0;
-    options.passes = 3;
     options.threads = threads;
     options.most_nodes = most_nodes;
-    options.stiffness = stiffness;
-    result = fitPlate(cut, VertexCorners(cut.mesh), picks, {}, options);
+    options.given = given;
+    result = fitByKriging(cut, VertexCorners(cut.mesh), picks, {}, options);
   }
   double rms() const {
     double sum = 0.0;
@@ -52,55 +50,51 @@ struct Fitted {
   }
 };
 
-TEST(PlateFit, BendsSmoothlyBetweenLines) {
+TEST(KrigingFit, BendsSmoothlyBetweenLines) {
   const Fitted fitted(lines(0.0));
   EXPECT_LT(fitted.rms(), 0.15); // a tenth of the waves, whose length is seven gaps
   EXPECT_EQ(fitted.result.picks, 4U * 19U);
 }
 
-/// A plate that resists bending goes on straight beyond the last pick; one that resists change of bending goes on as it bends there.
-TEST(PlateFit, OfTheThirdOrderCarriesABendOn) {
-  const auto parabola = [](double x) { return 0.01 * x * x; };
-  const auto missed = [&](int order) {
-    Points picks;
-    for (double x = -18.0; x <= 10.0; x += 1.0)
-      for (double y = -18.0; y <= 18.0; y += 2.0)
-        picks.emplace_back(x, y, parabola(x));
-    CutMesh cut = flat();
-    PlateFitOptions options;
-    options.gap = 8.0;
-    options.passes = 3;
-    options.stiffness = {{order, 0.3}};
-    fitPlate(cut, VertexCorners(cut.mesh), picks, {}, options);
-    double most = 0.0;
-    for (const Vector3& v : cut.mesh.vertices)
-      if (v.x() > 15.0)
-        most = std::max(most, std::abs(v.z() - parabola(v.x())));
-    return most;
-  };
-  EXPECT_LT(missed(3), 0.5 * missed(2));
+TEST(KrigingFit, OfPicksFullOfNoiseStaysBelowIt) { EXPECT_LT(Fitted(lines(0.3)).rms(), 0.3); }
+
+/// The picks tell how smooth the surface is: of a smooth one by a Gaussian correlation, of one with kinks by a rougher one.
+TEST(KrigingFit, TheLikeliestCorrelationTellsKinksFromWaves) {
+  EXPECT_EQ(Fitted(lines(0.01)).result.correlation.correlation, Correlation::Gaussian);
+  Points kinked = lines(0.001);
+  for (Vector3& p : kinked)
+    p.z() = std::abs(p.x() - 3.0) + 0.5 * std::abs(p.x() + p.y()) + 0.7 * std::abs(p.x() + 9.0);
+  EXPECT_NE(Fitted(kinked).result.correlation.correlation, Correlation::Gaussian);
 }
 
-TEST(PlateFit, NoiseIsAveragedByALongerBendingLength) {
-  const Fitted exact(lines(0.0)), noisy(lines(0.3));
-    EXPECT_LT(noisy.rms(), 0.3);
+TEST(KrigingFit, NoisierPicksAreFoundToBeSo) {
+  EXPECT_GT(Fitted(lines(0.3)).result.correlation.noise, Fitted(lines(0.01)).result.correlation.noise);
 }
 
-TEST(PlateFit, WindowsMeetWithoutASeam) {
+/// What is not known stays near what is.
+TEST(KrigingFit, DoesNotRunAwayFarFromPicks) {
+  Points few;
+  for (double x = -18.0; x <= -14.0; x += 1.0)
+    few.emplace_back(x, -18.0, std::abs(std::remainder(x, 2.0)));
+  for (const Vector3& v : Fitted(few).cut.mesh.vertices)
+    EXPECT_LT(std::abs(v.z()), 10.0);
+}
+
+TEST(KrigingFit, WindowsMeetWithoutASeam) {
   const Points picks = lines(0.1);
-  const Fitted whole(picks, 0, 6000, {{3, 0.2}}), windows(picks, 0, 400, {{3, 0.2}});
+  const Fitted whole(picks, 0, 6000, {Correlation::Gaussian, 10.0, 0.01}), windows(picks, 0, 400, {Correlation::Gaussian, 10.0, 0.01});
   double most = 0.0;
   for (std::size_t v = 0; v < whole.cut.mesh.vertices.size(); ++v)
     most = std::max(most, (whole.cut.mesh.vertices[v] - windows.cut.mesh.vertices[v]).norm());
   EXPECT_LT(most, 0.1);
 }
 
-TEST(PlateFit, IsTheSameForEveryNumberOfThreads) {
+TEST(KrigingFit, IsTheSameForEveryNumberOfThreads) {
   const Points picks = lines(0.1);
   EXPECT_EQ(Fitted(picks, 1, 400).cut.mesh.vertices, Fitted(picks, 3, 400).cut.mesh.vertices);
 }
 
-TEST(PlateFit, WithoutPicksNothingMoves) {
+TEST(KrigingFit, WithoutPicksNothingMoves) {
   const CutMesh before = flat();
   const Fitted fitted(Points(5, Vector3::Constant(std::numeric_limits<double>::quiet_NaN())));
   EXPECT_EQ(fitted.result.picks, 0U);

@@ -1,4 +1,4 @@
-#include "plate/plate_nodes.h"
+#include "kriging/kriging_nodes.h"
 
 #include "graben/mesh/normals.h"
 #include "shapes.h"
@@ -9,7 +9,7 @@ namespace graben {
 namespace {
 
 using detail::NodeBlend;
-using detail::PlateNodes;
+using detail::KrigingNodes;
 
 /// A flat square [-10, 10]^2 that is cut along x = 0 for y < 0: its left and right side share no vertex there.
 CutMesh cutSquare() {
@@ -36,9 +36,9 @@ CutMesh cutSquare() {
   return cut;
 }
 
-TEST(PlateNodes, AreSpreadEvenlyAndTakeEveryVertex) {
+TEST(KrigingNodes, AreSpreadEvenlyAndTakeEveryVertex) {
   const CutMesh cut = cutSquare();
-  const PlateNodes nodes = detail::plateNodes(cut, VertexCorners(cut.mesh), 3.0);
+  const KrigingNodes nodes = detail::krigingNodes(cut, VertexCorners(cut.mesh), 3.0);
   EXPECT_GT(nodes.count(), 40U);
   EXPECT_LT(nodes.count(), 100U);
   double area = 0.0;
@@ -49,9 +49,9 @@ TEST(PlateNodes, AreSpreadEvenlyAndTakeEveryVertex) {
     EXPECT_GE(node, 0);
 }
 
-TEST(PlateNodes, AreNotBesideEachOtherAcrossACut) {
+TEST(KrigingNodes, AreNotBesideEachOtherAcrossACut) {
   const CutMesh cut = cutSquare();
-  const PlateNodes nodes = detail::plateNodes(cut, VertexCorners(cut.mesh), 3.0);
+  const KrigingNodes nodes = detail::krigingNodes(cut, VertexCorners(cut.mesh), 3.0);
   for (std::size_t n = 0; n < nodes.count(); ++n) {
     const Vector3& place = cut.mesh.vertices[static_cast<std::size_t>(nodes.vertex[n])];
     for (const Index other : nodes.beside[n]) {
@@ -62,11 +62,11 @@ TEST(PlateNodes, AreNotBesideEachOtherAcrossACut) {
   }
 }
 
-TEST(PlateNodes, CarryAQuadricOverExactly) {
+TEST(KrigingNodes, CarryAQuadricOverExactly) {
   CutMesh cut = cutSquare();
   const Points flat_normals = cut.mesh.normals;
   const auto quadric = [](const Vector3& p) { return 1.0 + 0.2 * p.x() - 0.1 * p.y() + 0.02 * p.x() * p.x() - 0.03 * p.x() * p.y(); };
-  const PlateNodes nodes = detail::plateNodes(cut, VertexCorners(cut.mesh), 3.0);
+  const KrigingNodes nodes = detail::krigingNodes(cut, VertexCorners(cut.mesh), 3.0);
   Eigen::VectorXd moves(static_cast<Eigen::Index>(nodes.count()));
   for (std::size_t n = 0; n < nodes.count(); ++n)
     moves[static_cast<Eigen::Index>(n)] = quadric(cut.mesh.vertices[static_cast<std::size_t>(nodes.vertex[n])]);

@@ -10,7 +10,7 @@
 namespace graben::detail {
 
 /// Vertices of a surface, evenly spread, by which a smooth move of all of it is told: way for way through the surface, never across a cut.
-struct PlateNodes {
+struct KrigingNodes {
   std::vector<Index> vertex;               ///< of each node
   std::vector<Index> nearest;              ///< node of each vertex of the mesh; -1 of one without triangles
   std::vector<std::vector<Index>> beside;  ///< nodes whose vertices touch those of a node, in rising order
@@ -23,7 +23,7 @@ struct PlateNodes {
 };
 
 /// \param[in] spacing no two nodes are nearer to each other along the surface, about
-PlateNodes plateNodes(const CutMesh& cut, const VertexCorners& corners, double spacing);
+KrigingNodes krigingNodes(const CutMesh& cut, const VertexCorners& corners, double spacing);
 
 /// The share of a node in what a place does.
 struct NodeShare {
@@ -40,6 +40,6 @@ struct NodeBlend {
 };
 
 /// By a quadric through the nodes around; by a plane, or the nearest node alone, where these are too few.
-NodeBlend blendAt(const TriangleMesh& mesh, const Points& normals, const PlateNodes& nodes, Index nearest, const Vector3& place, const Vector3& normal);
+NodeBlend blendAt(const TriangleMesh& mesh, const Points& normals, const KrigingNodes& nodes, Index nearest, const Vector3& place, const Vector3& normal);
 
 } // namespace graben::detail

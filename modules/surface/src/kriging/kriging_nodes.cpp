@@ -1,4 +1,4 @@
-#include "plate_nodes.h"
+#include "kriging_nodes.h"
 
 #include "graben/core/sort_unique.h"
 #include "graben/mesh/normals.h"
@@ -25,7 +25,7 @@ public:
   NodePlacing(const CutMesh& cut, const VertexCorners& corners, double spacing)
     : cut_(cut), mesh_(cut.mesh), corners_(corners), spacing_(spacing), taken_(mesh_.vertices.size(), 0) {}
 
-  PlateNodes run() {
+  KrigingNodes run() {
     for (const bool on_fault : {true, false}) // so that the surface is told up to its edge there
       for (std::size_t v = 0; v < taken_.size(); ++v)
         if (cut_.onFault(static_cast<Index>(v)) == on_fault && taken_[v] == 0 && corners_.of(v).begin() != corners_.of(v).end())
@@ -115,7 +115,7 @@ private:
   const VertexCorners& corners_;
   double spacing_;
   std::vector<char> taken_;
-  PlateNodes nodes_;
+  KrigingNodes nodes_;
 };
 
 /// How a polynomial through places, the nearer the heavier, follows from values there at the origin; empty where they do not tell one.
@@ -149,7 +149,7 @@ std::vector<double> atOrigin(const std::vector<Eigen::Vector2d>& places, Eigen::
 
 } // namespace
 
-void PlateNodes::around(const TriangleMesh& mesh, Index node, const Vector3& place, double reach, std::size_t fewest, std::size_t most,
+void KrigingNodes::around(const TriangleMesh& mesh, Index node, const Vector3& place, double reach, std::size_t fewest, std::size_t most,
                         std::vector<Index>& found) const {
   const auto placeOf = [&](Index n) -> const Vector3& { return mesh.vertices[static_cast<std::size_t>(vertex[static_cast<std::size_t>(n)])]; };
   found.assign(1, node);
@@ -167,7 +167,7 @@ void PlateNodes::around(const TriangleMesh& mesh, Index node, const Vector3& pla
   }
 }
 
-PlateNodes plateNodes(const CutMesh& cut, const VertexCorners& corners, double spacing) { return NodePlacing(cut, corners, spacing).run(); }
+KrigingNodes krigingNodes(const CutMesh& cut, const VertexCorners& corners, double spacing) { return NodePlacing(cut, corners, spacing).run(); }
 
 double NodeBlend::moved(const Eigen::VectorXd& moves) const {
   double sum = height;
@@ -176,7 +176,7 @@ double NodeBlend::moved(const Eigen::VectorXd& moves) const {
   return sum;
 }
 
-NodeBlend blendAt(const TriangleMesh& mesh, const Points& normals, const PlateNodes& nodes, Index nearest, const Vector3& place, const Vector3& normal) {
+NodeBlend blendAt(const TriangleMesh& mesh, const Points& normals, const KrigingNodes& nodes, Index nearest, const Vector3& place, const Vector3& normal) {
   const auto vertexOf = [&](Index n) { return static_cast<std::size_t>(nodes.vertex[static_cast<std::size_t>(n)]); };
   std::vector<Index> around;
   nodes.around(mesh, nearest, place, 0.0, kFewestShares, kMostShares, around);

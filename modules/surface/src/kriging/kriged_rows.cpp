@@ -1,0 +1,137 @@
+#include "kriged_rows.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace graben::detail {
+
+namespace {
+
+constexpr std::size_t kTried = 2;       // times as many nodes as are needed are looked at
+constexpr double kTurned = 0.5;         // least cosine between the normals of nodes that tell of one another
+constexpr double kAlike = 0.9;          // correlation of what bends the two sides of a fault
+constexpr double kNugget = 1e-6;        // share of the variance that is each node's own: keeps the systems solvable
+constexpr double kPlane = 1e3;          // variance of the plane, at one length
+constexpr double kNothingSaid = 1e9;    // a row of a larger variance
+
+double correlationAt(double squared_distance, Correlation correlation) {
+  const double r = std::sqrt(squared_distance);
+  switch (correlation) {
+  case Correlation::Matern5over2:
+    return (1.0 + std::sqrt(5.0) * r + 5.0 / 3.0 * squared_distance) * std::exp(-std::sqrt(5.0) * r);
+  case Correlation::Matern3over2:
+    return (1.0 + std::sqrt(3.0) * r) * std::exp(-std::sqrt(3.0) * r);
+  case Correlation::Gaussian:
+    break;
+  }
+  return std::exp(-0.5 * squared_distance);
+}
+
+} // namespace
+
+KrigedRows::KrigedRows(const TriangleMesh& mesh, const Points& normals, const KrigingNodes& nodes, const Points& sights, const FaultNetwork& faults,
+                       const std::vector<Index>& active, const KrigingReach& reach)
+  : mesh_(mesh), normals_(normals), nodes_(nodes), reach_(reach) {
+  const std::vector<Index> order = coarseToFine(active);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    told_.push_back(tellFrom(order[i], nearestBefore(order, i), sights, faults));
+}
+
+/// The node farthest from all before it is next.
+std::vector<Index> KrigedRows::coarseToFine(const std::vector<Index>& active) const {
+  std::vector<Index> order;
+  std::vector<double> way(active.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t count = 0; count < active.size(); ++count) {
+    const auto next = static_cast<std::size_t>(std::max_element(way.begin(), way.end()) - way.begin());
+    order.push_back(active[next]);
+    const Vector3& place = placeOf(active[next]);
+    for (std::size_t i = 0; i < way.size(); ++i)
+      way[i] = std::min(way[i], (placeOf(active[i]) - place).squaredNorm());
+    way[next] = -1.0;
+  }
+  return order;
+}
+
+std::vector<Index> KrigedRows::nearestBefore(const std::vector<Index>& order, std::size_t place) const {
+  std::vector<std::pair<double, Index>> before;
+  for (std::size_t j = 0; j < place; ++j)
+    if (normalOf(order[j]).dot(normalOf(order[place])) > kTurned)
+      before.emplace_back((placeOf(order[j]) - placeOf(order[place])).squaredNorm(), order[j]);
+  const auto tried = before.begin() + static_cast<std::ptrdiff_t>(std::min(before.size(), kTried * (reach_.own + reach_.facing)));
+  std::nth_element(before.begin(), tried, before.end());
+  std::sort(before.begin(), tried);
+  std::vector<Index> nearest;
+  for (auto it = before.begin(); it != tried; ++it)
+    nearest.push_back(it->second);
+  return nearest;
+}
+
+KrigedRows::Told KrigedRows::tellFrom(Index node, const std::vector<Index>& nearest, const Points& sights, const FaultNetwork& faults) const {
+  const auto sees = [&](Index a, Index b) {
+    return faults.empty() || !faults.crosses(sights[static_cast<std::size_t>(a)], sights[static_cast<std::size_t>(b)]);
+  };
+  Told told{node, {}, 0};
+  std::vector<Index> facing; // all of the side of the nearest
+  for (const Index other : nearest) {
+    if (told.from.size() == reach_.own)
+      break;
+    if (sees(node, other))
+      told.from.push_back(other);
+    else if (facing.size() < reach_.facing && (facing.empty() || sees(facing.front(), other)))
+      facing.push_back(other);
+  }
+  told.own = told.from.size();
+  told.from.insert(told.from.end(), facing.begin(), facing.end());
+  return told;
+}
+
+std::vector<KrigedRow> KrigedRows::rows(Correlation correlation, double length) const {
+  std::vector<KrigedRow> rows;
+  for (const Told& told : told_) {
+    KrigedRow made = row(told, correlation, length);
+    if (made.variance < kNothingSaid)
+      rows.push_back(std::move(made));
+  }
+  return rows;
+}
+
+/// Kriging in the plane of the node's surface. Each side varies about a plane of unknown height and tilt.
+KrigedRow KrigedRows::row(const Told& told, Correlation correlation, double length) const {
+  const Vector3& normal = normalOf(told.node);
+  const Vector3 axis_u = normal.unitOrthogonal(), axis_v = normal.cross(axis_u);
+  const auto count = static_cast<Eigen::Index>(told.from.size());
+  const auto own = static_cast<Eigen::Index>(told.own);
+  Eigen::MatrixX3d places(count, 3); // 1, u, v; the node itself is at 1, 0, 0
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Vector3 off = (placeOf(told.from[static_cast<std::size_t>(i)]) - placeOf(told.node)) / length;
+    places.row(i) << 1.0, off.dot(axis_u), off.dot(axis_v);
+  }
+  const auto covariance = [correlation](bool one_side, const Eigen::RowVector3d& a, const Eigen::RowVector3d& b) {
+    const double bends = correlationAt((a - b).squaredNorm(), correlation);
+    return one_side ? bends + kPlane * a.dot(b) : kAlike * bends;
+  };
+  const Eigen::RowVector3d here(1.0, 0.0, 0.0);
+  Eigen::MatrixXd among(count, count);
+  Eigen::VectorXd to(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j)
+      among(i, j) = covariance((i < own) == (j < own), places.row(i), places.row(j));
+    among(i, i) += kNugget;
+    to[i] = covariance(i < own, places.row(i), here);
+  }
+  const Eigen::VectorXd weights = among.selfadjointView<Eigen::Lower>().llt().solve(to);
+  KrigedRow made;
+  made.variance = std::max(1.0 + kPlane + kNugget - weights.dot(to), kNugget);
+  made.shares.push_back({told.node, 1.0});
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Index other = told.from[static_cast<std::size_t>(i)];
+    made.shares.push_back({other, -weights[i] * normal.dot(normalOf(other))});
+    made.height -= weights[i] * (placeOf(other) - placeOf(told.node)).dot(normal);
+  }
+  return made;
+}
+
+} // namespace graben::detail
