@@ -43,7 +43,7 @@ std::size_t neighborsFor(const Sampling& sampling, double delta, double mean_dis
 }
 
 constexpr std::size_t kNeighborsOfLines = 30; // reach the next lines: those of one line alone have no plane
-constexpr double kVoxelOfLines = 0.12;  // line distances: at a sixth, chords alone are half a sigma off on waves of three of them; at a tenth, contours seal worse
+constexpr double kVoxelOfLines = 0.12;  // line distances; at a sixth, chords alone are half a sigma off on waves of three of them
 constexpr double kRhoOfLines = 0.75;   // line distances
 constexpr double kNoGap = 1e-6;        // of the reach: a fault that is this near to another reaches it
 
