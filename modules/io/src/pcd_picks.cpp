@@ -60,7 +60,7 @@ public:
       splitWords(line, words_);
       if (words_.size() == 5 && words_[0] == "#" && words_[1] == "origin")
         parseOrigin();
-      if (!words_.empty() && words_[0].front() != '#')
+      if (!words_.empty() && words_[0].substr(0, 1) != "#") // a quoted word may be empty
         parseEntry();
     }
     if (header_.data.empty())
