@@ -8,8 +8,8 @@
 #include "graben/surface/data_border.h"
 #include "graben/surface/defaults.h"
 #include "graben/surface/fault_cut.h"
-#include "graben/surface/local_fit.h"
 #include "graben/surface/kriging_fit.h"
+#include "graben/surface/local_fit.h"
 
 #include <algorithm>
 #include <cmath>

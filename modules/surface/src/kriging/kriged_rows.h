@@ -21,8 +21,7 @@ struct KrigingReach {
 };
 
 /// The nodes that each node of a surface is told from: nodes that come before it in an order from coarse to fine. The rows of all nodes together make the
-/// heights
-/// a Gaussian process about a plane, nearly (Vecchia, J. R. Stat. Soc. B 50, 1988; Guinness, Technometrics 60, 2018, on the order).
+/// heights a Gaussian process about a plane, nearly (Vecchia, J. R. Stat. Soc. B 50, 1988; Guinness, Technometrics 60, 2018, on the order).
 /// A node is told from nodes of its own side of all faults, and from those of the side that faces it across a fault, whose heights lie about a plane of
 /// their own: what bends the horizon bends both sides nearly alike, and faults move them apart. Nodes turned away from one another say nothing of each other.
 class KrigedRows {

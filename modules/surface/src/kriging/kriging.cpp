@@ -39,14 +39,12 @@ void handOut(const KrigingSystem& system, const Eigen::VectorXd& moves, const st
 } // namespace
 
 Kriging::Kriging(const CutMesh& cut, const Points& normals, const VertexCorners& corners, const Points& picks, const FaultNetwork& faults,
-             const KrigingOptions& options, NodesFor nodes)
+                 const KrigingOptions& options, NodesFor nodes)
   : mesh_(cut.mesh), normals_(normals), faults_(faults), options_(options) {
   nodes_ = krigingNodes(cut, corners, nodeSpacing(nodes));
   placeSights(corners);
   makeWindows(nodes == NodesFor::Comparison ? std::min(kMostCompared, options.most_nodes) : options.most_nodes);
   addPicks(picks);
-  if (nodes == NodesFor::Comparison)
-    makeSystems();
 }
 
 /// Of a small surface nearly every vertex is a node.
@@ -147,13 +145,14 @@ KrigingSystem Kriging::systemOf(std::vector<Index> active, const KrigingReach& r
   return KrigingSystem(picks_, std::move(active), std::move(kriged), nodes_.count());
 }
 
-/// Those of some windows.
-void Kriging::makeSystems() {
+std::vector<KrigingSystem> Kriging::systemsToCompare() const {
   const std::size_t count = std::min(kWindowsTried, windows_.size());
   std::vector<std::optional<KrigingSystem>> made(count);
   parallelFor(count, 1, options_.threads, [&](std::size_t i) { made[i].emplace(systemOf(grown(windows_[i * windows_.size() / count]), kComparedReach)); });
+  std::vector<KrigingSystem> systems;
   for (std::optional<KrigingSystem>& system : made)
-    systems_.push_back(std::move(*system));
+    systems.push_back(std::move(*system));
+  return systems;
 }
 
 std::vector<double> Kriging::moves(const SurfaceCorrelation& correlation) const {
@@ -163,8 +162,8 @@ std::vector<double> Kriging::moves(const SurfaceCorrelation& correlation) const 
     handOut(system, system.moves(correlation), windows_[w], of_nodes);
   });
   double most = 0.0;
-  for (const KrigedPick& s : picks_)
-    most = std::max(most, kMostMove * std::abs(s.distance));
+  for (const KrigedPick& pick : picks_)
+    most = std::max(most, kMostMove * std::abs(pick.distance));
   std::vector<double> moves(mesh_.vertices.size(), 0.0);
   parallelFor(moves.size(), 256, options_.threads, [&](std::size_t v) {
     const Index node = nodes_.nearest[v];
@@ -172,12 +171,6 @@ std::vector<double> Kriging::moves(const SurfaceCorrelation& correlation) const 
       moves[v] = std::clamp(blendAt(mesh_, normals_, nodes_, node, mesh_.vertices[v], normals_[v]).moved(of_nodes), -most, most);
   });
   return moves;
-}
-
-double Kriging::unlikeliness(const SurfaceCorrelation& correlation) const {
-  std::vector<double> each(systems_.size());
-  parallelFor(each.size(), 1, options_.threads, [&](std::size_t i) { each[i] = systems_[i].unlikeliness(correlation); });
-  return std::accumulate(each.begin(), each.end(), 0.0);
 }
 
 } // namespace graben::detail

@@ -22,8 +22,8 @@ public:
   /// The moves of all vertices along their normals.
   std::vector<double> moves(const SurfaceCorrelation& correlation) const;
 
-  /// See KrigingSystem; of a large surface that of some of its windows. With nodes for comparison alone.
-  double unlikeliness(const SurfaceCorrelation& correlation) const;
+  /// By which correlations are compared; of a large surface those of some of its windows.
+  std::vector<KrigingSystem> systemsToCompare() const;
 
 private:
   double nodeSpacing(NodesFor nodes) const;
@@ -31,7 +31,6 @@ private:
   void addPicks(const Points& picks);
   bool addPick(const Vector3& pick, const TriangleBvh& bvh, KrigedPick& made) const;
   void makeWindows(std::size_t most_nodes);
-  void makeSystems();
 
   const Vector3& placeOf(std::size_t node) const { return mesh_.vertices[static_cast<std::size_t>(nodes_.vertex[node])]; }
   std::vector<Index> grown(const std::vector<Index>& window) const;
@@ -45,7 +44,6 @@ private:
   Points sights_; ///< of each node a place on its own side of all faults
   std::vector<KrigedPick> picks_;
   std::vector<std::vector<Index>> windows_; ///< of nodes, each solved for by itself
-  std::vector<KrigingSystem> systems_;      ///< of some of these, where the nodes are for comparison
 };
 
 } // namespace graben::detail

@@ -16,7 +16,6 @@ constexpr unsigned kNormalRounds = 2; // in each, a vertex takes the normals of 
 
 /// Of the surface around each vertex, so that no sliver turns them.
 Points evenNormals(const TriangleMesh& mesh, const VertexCorners& corners) {
-  std::vector<Vector3> sums(mesh.vertices.size(), Vector3::Zero());
   const auto aroundEach = [&](const auto& ofTriangle) {
     std::vector<Vector3> sum(mesh.vertices.size(), Vector3::Zero());
     for (std::size_t v = 0; v < sum.size(); ++v)
@@ -24,7 +23,7 @@ Points evenNormals(const TriangleMesh& mesh, const VertexCorners& corners) {
         sum[v] += ofTriangle(mesh.triangles[static_cast<std::size_t>(corner / 3)]);
     return sum;
   };
-  sums = aroundEach([&](const Triangle& t) { return areaNormal(mesh, t); });
+  std::vector<Vector3> sums = aroundEach([&](const Triangle& t) { return areaNormal(mesh, t); });
   for (unsigned round = 0; round < kNormalRounds; ++round)
     sums = aroundEach([&](const Triangle& t) {
       Vector3 sum = Vector3::Zero();
@@ -85,7 +84,7 @@ KrigingResult fitByKriging(CutMesh& cut, const VertexCorners& corners, const Poi
   const bool given = options.given.length > 0.0;
   move(detail::NodesFor::Comparison, [&](const detail::Kriging&) { return given ? options.given : first; });
   move(detail::NodesFor::Comparison,
-       [&](const detail::Kriging& kriging) { return given ? options.given : detail::likeliestCorrelation(kriging, options.gap); });
+       [&](const detail::Kriging& kriging) { return given ? options.given : detail::likeliestCorrelation(kriging, options.gap, options.threads); });
   const SurfaceCorrelation chosen = result.correlation;
   move(detail::NodesFor::Moves, [&](const detail::Kriging&) { return chosen; });
   computeVertexNormals(cut.mesh, corners, options.threads);

@@ -15,8 +15,7 @@ namespace graben::detail {
 
 namespace {
 
-constexpr std::size_t kFewestShares = 9;
-constexpr std::size_t kMostShares = 12;
+constexpr std::size_t kMostShares = 9;
 constexpr double kBeyond = 1.15;       // distances of the farthest node: where a share falls to nothing
 constexpr double kLeastPivot = 1e-3;   // of the largest: below, the nodes do not tell a quadric
 
@@ -149,22 +148,14 @@ std::vector<double> atOrigin(const std::vector<Eigen::Vector2d>& places, Eigen::
 
 } // namespace
 
-void KrigingNodes::around(const TriangleMesh& mesh, Index node, const Vector3& place, double reach, std::size_t fewest, std::size_t most,
-                        std::vector<Index>& found) const {
-  const auto placeOf = [&](Index n) -> const Vector3& { return mesh.vertices[static_cast<std::size_t>(vertex[static_cast<std::size_t>(n)])]; };
-  found.assign(1, node);
-  std::size_t ring = 0;
-  for (std::size_t next = 0, end = 1; next < found.size() && found.size() < most; ++next) {
-    if (next == end) {
-      end = found.size();
-      ++ring;
-    }
-    for (const Index other : beside[static_cast<std::size_t>(found[next])]) {
-      const bool near = (placeOf(other) - place).norm() <= reach;
-      if ((near || (ring < 2 && found.size() < fewest)) && found.size() < most && std::find(found.begin(), found.end(), other) == found.end())
-        found.push_back(other);
-    }
-  }
+std::vector<Index> KrigingNodes::around(Index node, std::size_t most) const {
+  std::vector<Index> found{node};
+  for (std::size_t ring = 0, next = 0; ring < 2; ++ring)
+    for (const std::size_t end = found.size(); next < end; ++next)
+      for (const Index other : beside[static_cast<std::size_t>(found[next])])
+        if (found.size() < most && std::find(found.begin(), found.end(), other) == found.end())
+          found.push_back(other);
+  return found;
 }
 
 KrigingNodes krigingNodes(const CutMesh& cut, const VertexCorners& corners, double spacing) { return NodePlacing(cut, corners, spacing).run(); }
@@ -178,8 +169,7 @@ double NodeBlend::moved(const Eigen::VectorXd& moves) const {
 
 NodeBlend blendAt(const TriangleMesh& mesh, const Points& normals, const KrigingNodes& nodes, Index nearest, const Vector3& place, const Vector3& normal) {
   const auto vertexOf = [&](Index n) { return static_cast<std::size_t>(nodes.vertex[static_cast<std::size_t>(n)]); };
-  std::vector<Index> around;
-  nodes.around(mesh, nearest, place, 0.0, kFewestShares, kMostShares, around);
+  const std::vector<Index> around = nodes.around(nearest, kMostShares);
   const Vector3 axis_u = normal.unitOrthogonal(), axis_v = normal.cross(axis_u);
   std::vector<Eigen::Vector2d> places;
   for (const Index n : around) {

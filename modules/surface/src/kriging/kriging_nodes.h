@@ -18,8 +18,8 @@ struct KrigingNodes {
 
   std::size_t count() const { return vertex.size(); }
 
-  /// Nodes around one, ring by ring, itself first: those within a reach of a place, but at least some (as far as there are) and at most others.
-  void around(const TriangleMesh& mesh, Index node, const Vector3& place, double reach, std::size_t fewest, std::size_t most, std::vector<Index>& found) const;
+  /// Nodes around one, ring by ring, itself first: so many, or all within two rings where these are fewer.
+  std::vector<Index> around(Index node, std::size_t most) const;
 };
 
 /// \param[in] spacing no two nodes are nearer to each other along the surface, about

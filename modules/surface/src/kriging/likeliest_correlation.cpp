@@ -1,9 +1,12 @@
 #include "likeliest_correlation.h"
 
+#include "graben/core/threads.h"
+
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace graben::detail {
 
@@ -14,10 +17,26 @@ constexpr std::array<double, 7> kNoises = {0.0003, 0.001, 0.003, 0.01, 0.03, 0.1
 constexpr std::size_t kFirstLength = 5;
 constexpr std::size_t kFirstNoise = 3;
 
+/// How unlikely the picks are under a correlation, see KrigingSystem: of all windows that are compared.
+class Unlikeliness {
+public:
+  Unlikeliness(const Kriging& kriging, unsigned threads) : systems_(kriging.systemsToCompare()), threads_(threads) {}
+
+  double of(const SurfaceCorrelation& correlation) const {
+    std::vector<double> each(systems_.size());
+    parallelFor(each.size(), 1, threads_, [&](std::size_t i) { each[i] = systems_[i].unlikeliness(correlation); });
+    return std::accumulate(each.begin(), each.end(), 0.0);
+  }
+
+private:
+  std::vector<KrigingSystem> systems_;
+  unsigned threads_;
+};
+
 /// Walks from the middle of lengths and noises to where none next to it is likelier.
 class UphillSearch {
 public:
-  UphillSearch(const Kriging& kriging, Correlation correlation, double gap) : kriging_(kriging), correlation_(correlation), gap_(gap) {
+  UphillSearch(const Unlikeliness& picks, Correlation correlation, double gap) : picks_(picks), correlation_(correlation), gap_(gap) {
     while (step()) {
     }
   }
@@ -43,11 +62,11 @@ private:
   double unlikeliness(std::size_t length, std::size_t noise) {
     const auto [found, fresh] = known_.try_emplace({length, noise}, 0.0);
     if (fresh)
-      found->second = kriging_.unlikeliness(at(length, noise));
+      found->second = picks_.of(at(length, noise));
     return found->second;
   }
 
-  const Kriging& kriging_;
+  const Unlikeliness& picks_;
   Correlation correlation_;
   double gap_;
   std::size_t length_ = kFirstLength;
@@ -57,11 +76,12 @@ private:
 
 } // namespace
 
-SurfaceCorrelation likeliestCorrelation(const Kriging& kriging, double gap) {
+SurfaceCorrelation likeliestCorrelation(const Kriging& kriging, double gap, unsigned threads) {
+  const Unlikeliness picks(kriging, threads);
   SurfaceCorrelation best;
   double least = std::numeric_limits<double>::infinity();
   for (const Correlation correlation : {Correlation::Gaussian, Correlation::Matern5over2, Correlation::Matern3over2}) {
-    UphillSearch search(kriging, correlation, gap);
+    UphillSearch search(picks, correlation, gap);
     if (search.unlikeliness() < least || !std::isfinite(least)) {
       least = search.unlikeliness();
       best = search.found();
