@@ -5,6 +5,7 @@
 #include "graben/faults/fault_lofting.h"
 #include "graben/mesh/adjacency.h"
 #include "graben/mesh/components.h"
+#include "graben/mesh/median_edge.h"
 #include "graben/mesh/normals.h"
 #include "graben/mesh/triangle_bvh.h"
 
@@ -133,6 +134,16 @@ bool adjoin(const Outline& a, const Outline& b) {
   return both >= kFacingShare * std::min(a.columns, b.columns) && close >= 0.8 * both;
 }
 
+/// How far nine in ten of some points lie from a surface at most.
+double distanceOfMost(const Points& points, const FaultSurface& surface) {
+  const TriangleBvh bvh(surface.mesh);
+  std::vector<double> off;
+  for (const Vector3& p : points)
+    off.push_back(bvh.nearest(p).distance);
+  std::sort(off.begin(), off.end());
+  return off[off.size() * 9 / 10];
+}
+
 /// The one surface that patches of a fault are; none if they are not.
 std::optional<FaultSurface> joinedPatches(const FaultSurface& fault) {
   const Components components = connectedComponents(fault.mesh);
@@ -166,39 +177,24 @@ std::optional<FaultSurface> joinedPatches(const FaultSurface& fault) {
       return std::nullopt;
   }
   detail::SmoothLoft joined = detail::smoothSurface(fault.name, all, 0.0);
-  const TriangleBvh bvh(joined.surface.mesh);
-  std::vector<double> off;
-  for (const Vector3& p : all)
-    off.push_back(bvh.nearest(p).distance);
-  std::sort(off.begin(), off.end());
-  if (off[off.size() * 9 / 10] > kOneSheet * smallest)
+  if (distanceOfMost(all, joined.surface) > kOneSheet * smallest)
     return std::nullopt;
   return std::move(joined.surface);
 }
 
-double usualEdge(const TriangleMesh& mesh) {
-  std::vector<double> lengths;
-  for (const Triangle& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k)
-      lengths.push_back((mesh.vertices[static_cast<std::size_t>(t[k])] - mesh.vertices[static_cast<std::size_t>(t[(k + 1) % 3])]).norm());
-  return median(lengths);
+/// How many pieces a mesh is in if its triangles lie loose; 0 if they do not.
+std::size_t loosePieces(const TriangleMesh& mesh) {
+  const std::size_t pieces = connectedComponents(mesh).triangle_count.size();
+  return pieces < kManyPieces || pieces * kLoosePiece < mesh.triangles.size() ? 0 : pieces;
 }
 
-/// The smooth surface near loose triangles, whose corners lie near each other but are not the same; none if the triangles are not loose.
+/// The smooth surface near loose triangles, whose corners lie near each other but are not the same.
 /// \throw InvalidInputError if they are far from one surface
-std::optional<FaultSurface> surfaceOfLoosePieces(const FaultSurface& fault) {
-  const Components components = connectedComponents(fault.mesh);
-  if (components.triangle_count.size() < kManyPieces || components.triangle_count.size() * kLoosePiece < fault.mesh.triangles.size())
-    return std::nullopt;
+FaultSurface surfaceOfLoosePieces(const FaultSurface& fault, std::size_t pieces) {
   detail::SmoothLoft joined = detail::smoothSurface(fault.name, fault.mesh.vertices, std::nullopt);
-  const TriangleBvh bvh(joined.surface.mesh);
-  std::vector<double> off;
-  for (const Vector3& p : fault.mesh.vertices)
-    off.push_back(bvh.nearest(p).distance);
-  std::sort(off.begin(), off.end());
-  if (const double far = off[off.size() * 9 / 10]; far > kNearPieces * usualEdge(fault.mesh))
+  if (const double far = distanceOfMost(fault.mesh.vertices, joined.surface); far > kNearPieces * medianEdge(fault.mesh))
     throw InvalidInputError("building fault " + fault.name,
-                            "It is no surface: its triangles lie loose, in " + std::to_string(components.triangle_count.size()) +
+                            "It is no surface: its triangles lie loose, in " + std::to_string(pieces) +
                                 " pieces that share no corners, and off the smooth surface near them by " + shortNumber(far) +
                                 " (a tenth by more). Join them into a surface, or give points or sticks.");
   return std::move(joined.surface);
@@ -237,10 +233,10 @@ LoftedFaults meshedFault(const std::string& name, const TriangleMesh& mesh, cons
                            " patches go on in each other and were joined into one surface.");
     surface = std::move(*joined);
   }
-  if (auto joined = surfaceOfLoosePieces(surface)) {
-    result.warnings.push_back(fault + "its triangles lie loose, in " + std::to_string(connectedComponents(surface.mesh).triangle_count.size()) +
+  if (const std::size_t pieces = loosePieces(surface.mesh); pieces > 0) {
+    surface = surfaceOfLoosePieces(surface, pieces);
+    result.warnings.push_back(fault + "its triangles lie loose, in " + std::to_string(pieces) +
                               " pieces that share no corners; a smooth surface was laid near them.");
-    surface = std::move(*joined);
   }
   result.faults.push_back(std::move(surface));
   return result;

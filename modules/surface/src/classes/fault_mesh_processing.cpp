@@ -2,10 +2,9 @@
 
 #include "carried_mesh.h"
 
-#include "cut/median_edge.h"
-
 #include "graben/core/errors.h"
 #include "graben/faults/out_of_reach.h"
+#include "graben/mesh/median_edge.h"
 #include "graben/mesh/normals.h"
 
 #include <pcl/console/print.h>

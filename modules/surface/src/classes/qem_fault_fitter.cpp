@@ -1,7 +1,5 @@
 #include "graben/surface/qem_fault_fitter.h"
 
-#include "cut/median_edge.h"
-
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
 #include "graben/faults/triangles_near.h"
@@ -9,6 +7,7 @@
 #include "graben/features/mean_distance.h"
 #include "graben/features/sampling.h"
 #include "graben/mesh/adjacency.h"
+#include "graben/mesh/median_edge.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 #include "graben/surface/fault_cut.h"
 
 #include "cut_state.h"
-#include "median_edge.h"
 
 #include "graben/core/threads.h"
 #include "graben/faults/triangles_near.h"
+#include "graben/mesh/median_edge.h"
 
 #include <algorithm>
 

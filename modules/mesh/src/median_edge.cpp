@@ -1,4 +1,4 @@
-#include "median_edge.h"
+#include "graben/mesh/median_edge.h"
 
 #include <algorithm>
 
