@@ -5,6 +5,7 @@
 
 #include "graben/core/errors.h"
 #include "graben/faults/fault_lofting.h"
+#include "graben/io/extension.h"
 #include "graben/io/mesh_writer.h"
 #include "graben/io/pick_writer.h"
 #include "graben/io/polygon_writer.h"
@@ -52,8 +53,7 @@ public:
   explicit Conversion(const OptionValues& values)
       : values_(values)
       , path_(values.positionals()[1])
-      , extension_(std::filesystem::path(path_).extension().string()) {
-    std::transform(extension_.begin(), extension_.end(), extension_.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+      , extension_(extensionOf(path_)) {
     const std::vector<double> scale = values.numbers("scale", 3);
     scale_ = {scale[0], scale[1], scale[2]};
     if ((scale_.array() == 0.0).any())

@@ -4,13 +4,13 @@
 #include "support/run.h"
 
 #include "graben/core/errors.h"
+#include "graben/io/extension.h"
 #include "graben/io/pick_reader.h"
 #include "graben/io/ply_cloud_writer.h"
 
 #include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -85,9 +85,7 @@ void checkExtension(const std::string& name) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(name, error);
   const bool device = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) && !std::filesystem::is_directory(status);
-  std::string extension = std::filesystem::path(name).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension != ".ply" && !device)
+  if (extensionOf(name) != ".ply" && !device)
     throw UsageError("OUTPUT.ply: '" + name + "' does not end in .ply; graben_convert writes other formats");
 }
 

@@ -3,6 +3,7 @@
 #include "support/file_arguments.h"
 #include "support/takeaway_pictures.h"
 
+#include "graben/io/extension.h"
 #include "graben/io/mesh_writer.h"
 
 #include <algorithm>
@@ -15,8 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void checkExtension(const std::string& output) {
-  std::string extension = fs::path(output).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extensionOf(output);
   const auto& known = meshWriteExtensions();
   if (std::find(known.begin(), known.end(), extension) != known.end())
     return;

@@ -1,11 +1,10 @@
 #include "support/recognise.h"
 
 #include "graben/core/errors.h"
+#include "graben/io/extension.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 
 namespace graben {
@@ -62,8 +61,7 @@ bool areLinesOfAHorizon(const std::vector<FaultInput>& faults) {
 
 /// Files of lines by their name.
 bool isNamedForLines(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extensionOf(path);
   return extension == ".pol" || extension == ".pl" || extension == ".bln";
 }
 

@@ -135,11 +135,4 @@ std::string stemOf(const std::string& path) {
   return std::filesystem::path(path).stem().string();
 }
 
-std::string extensionOf(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 } // namespace graben

@@ -40,7 +40,4 @@ std::string_view textOf(const FileContent& content, const std::string& path, std
 /// The file's name without folder and extension.
 std::string stemOf(const std::string& path);
 
-/// The file's extension in lower case with its dot.
-std::string extensionOf(const std::string& path);
-
 } // namespace graben

@@ -4,6 +4,8 @@
 #include "line_reader.h"
 #include "numbers.h"
 
+#include "graben/io/extension.h"
+
 #include <cstdint>
 #include <cstring>
 #include <map>

@@ -4,6 +4,7 @@
 #include "mesh_formats.h"
 
 #include "graben/core/errors.h"
+#include "graben/io/extension.h"
 #include "graben/mesh/bounds.h"
 
 #include <algorithm>

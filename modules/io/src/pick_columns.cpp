@@ -34,13 +34,8 @@ std::string numbersOf(const std::vector<std::size_t>& columns) {
   return listOf(numbers);
 }
 
-/// Columns before the header's first name: exports of several horizons start with a name that the header does not list.
-std::size_t shiftOf(const TextLayout& layout) {
-  return layout.shift;
-}
-
 std::string nameOf(const TextLayout& layout, std::size_t column) {
-  const std::size_t shift = shiftOf(layout);
+  const std::size_t shift = layout.shift;
   return column >= shift && column - shift < layout.names.size() ? layout.names[column - shift] : std::string();
 }
 
@@ -201,7 +196,7 @@ private:
   }
 
   void takeAsked() {
-    const std::size_t shift = shiftOf(layout_);
+    const std::size_t shift = layout_.shift;
     layout_.columns.clear();
     std::vector<std::string> taken;
     for (const std::string& wanted : file_.options.columns) {
@@ -290,8 +285,8 @@ HorizonColumn findHorizons(const TextLayout& layout, const TableSample& sample) 
   const int named = findColumn(layout.names, ColumnRole::Horizon);
   const int label = findColumn(layout.names, ColumnRole::Fault); // "name", "object" and the like
   for (std::size_t c = 0; c < sample.columns.size() && found.column < 0; ++c) {
-    const bool is_named = named >= 0 && c == static_cast<std::size_t>(named) + shiftOf(layout);
-    const bool is_label = named < 0 && label >= 0 && c == static_cast<std::size_t>(label) + shiftOf(layout);
+    const bool is_named = named >= 0 && c == static_cast<std::size_t>(named) + layout.shift;
+    const bool is_label = named < 0 && label >= 0 && c == static_cast<std::size_t>(label) + layout.shift;
     const bool unnamed_text = (is_label || nameOf(layout, c).empty()) && sample.columns[c].numbers == 0;
     const bool taken = std::find(layout.columns.begin(), layout.columns.end(), static_cast<int>(c)) != layout.columns.end();
     if ((is_named || unnamed_text) && !taken)
@@ -320,7 +315,7 @@ HorizonColumn findHorizons(const TextLayout& layout, const TableSample& sample) 
     ++entry->second;
   }
   constexpr std::size_t rows_of_a_horizon = 3;
-  const bool is_named = named >= 0 && found.column == named + static_cast<int>(shiftOf(layout));
+  const bool is_named = named >= 0 && found.column == named + static_cast<int>(layout.shift);
   if (rows.size() > most_horizons || (!is_named && rows.size() * rows_of_a_horizon > count)) // labels of points, not of horizons
     return {};
   return found;

@@ -8,6 +8,7 @@
 
 #include "graben/core/errors.h"
 #include "graben/core/threads.h"
+#include "graben/io/extension.h"
 
 #include <algorithm>
 #include <filesystem>

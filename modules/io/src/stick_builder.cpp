@@ -4,6 +4,7 @@
 #include "file_content.h"
 #include "no_data.h"
 #include "numbers.h"
+#include "stick_turns.h"
 
 #include "graben/core/errors.h"
 
@@ -41,18 +42,13 @@ std::string prefixOfStick(const std::string& name) {
   return apart || part ? name.substr(0, std::max<std::size_t>(word.size(), 1)) : std::string();
 }
 
-bool isSteep(const Points& points) {
-  constexpr double least = 0.5;
-  const Vector3 along = points.back() - points.front();
-  return std::abs(along.z()) > least * along.head<2>().norm();
-}
-
 } // namespace
 
 void StickBuilder::joinNumberedNames() {
+  constexpr double steep = 0.5;
   const std::string prefix = faults_.size() < 2 ? std::string() : prefixOfStick(faults_.front().name);
   const bool all = std::all_of(faults_.begin(), faults_.end(), [&](const Fault& f) {
-    return f.lines.size() == 1 && f.lines[0].points.size() > 1 && isSteep(f.lines[0].points) && prefixOfStick(f.name) == prefix;
+    return f.lines.size() == 1 && f.lines[0].points.size() > 1 && isSteep(f.lines[0].points, steep) && prefixOfStick(f.name) == prefix;
   });
   if (prefix.empty() || !all)
     return;

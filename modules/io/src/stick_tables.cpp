@@ -239,8 +239,7 @@ private:
     if (whole_)
       fault.warnings.push_back("x and y of the sticks in " + path_ + " are small whole numbers: if they are inline and crossline, export x and y");
     if (cut_)
-      fault.warnings.push_back(path_ +
-                               ": the last row has no line end and fewer decimals than the others; it is left out, the file may be cut short");
+      fault.warnings.push_back(cutRowWarning(path_));
     const auto& sticks = std::get<std::vector<FaultStick>>(fault.geometry);
     if (sticks.size() == 1 && columns_.sticks.empty() && columns_.node < 0 && columns_.flag < 0)
       judgeList(fault, sticks.front().points);

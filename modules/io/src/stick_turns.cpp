@@ -8,14 +8,14 @@
 namespace graben {
 namespace {
 
-/// As steep as no trace on a map is, though it goes up and down with the horizon.
-bool isSteep(const Points& stick) {
-  constexpr double least = 0.3;
-  const Vector3 along = stick.back() - stick.front();
-  return std::abs(along.z()) > least * along.head<2>().norm();
-}
+constexpr double steep = 0.3; // as no trace on a map is, though it goes up and down with the horizon
 
 } // namespace
+
+bool isSteep(const Points& line, double share) {
+  const Vector3 along = line.back() - line.front();
+  return std::abs(along.z()) > share * along.head<2>().norm();
+}
 
 std::vector<Points> sticksOfTurns(const Points& list) {
   std::size_t up = 0;
@@ -30,7 +30,7 @@ std::vector<Points> sticksOfTurns(const Points& list) {
   }
   const bool good =
       sticks.size() > 1 && std::all_of(sticks.begin(), sticks.end(),
-                                       [](const Points& s) { return s.size() > 1 && isSteep(s); });
+                                       [](const Points& s) { return s.size() > 1 && isSteep(s, steep); });
   return good ? sticks : std::vector<Points>{};
 }
 

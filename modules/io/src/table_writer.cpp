@@ -5,6 +5,7 @@
 #include "row_writer.h"
 
 #include "graben/core/errors.h"
+#include "graben/io/extension.h"
 
 #include <algorithm>
 #include <cmath>

@@ -296,6 +296,10 @@ bool isLastRowCut(std::string_view body, char delimiter, int column) {
   return forms.size() > 5 && others_agree && (forms[0].first != forms[1].first || forms[0].second < forms[1].second);
 }
 
+std::string cutRowWarning(const std::string& path) {
+  return path + ": the last row has no line end and fewer decimals than the others; it is left out, the file may be cut short";
+}
+
 void noteColumns(const TextLayout& layout, const TableKind& kind, std::vector<std::string>& notes) {
   const auto& used = layout.columns;
   if (!layout.names_used) {

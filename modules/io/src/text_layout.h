@@ -31,7 +31,7 @@ struct TextLayout {
   std::vector<int> columns; ///< of the wanted numbers
   std::vector<std::string> names;
   std::size_t columns_in_row = 0;
-  std::size_t shift = 0;      ///< columns before the first that has a name
+  std::size_t shift = 0;      ///< columns before the first that has a name: some exports begin rows with a name that the header does not list
   std::size_t first_line = 1; ///< number of the first row's line
   std::string_view body;      ///< from the first row on
   bool names_used = false;
@@ -61,6 +61,9 @@ void judgeBadRows(const std::vector<std::size_t>& bad_lines, std::size_t last_li
 
 /// True if the last row of a table has no line end and its last number, in \a column, fewer decimals than all others: it is cut short.
 bool isLastRowCut(std::string_view body, char delimiter, int column);
+
+/// The warning about such a row.
+std::string cutRowWarning(const std::string& path);
 
 template <int K>
 TableLayout<K> tableLayoutOf(const TextLayout& layout) {

@@ -63,7 +63,7 @@ void dropCutRow(const TextLayout& layout, std::size_t bad_rows, std::vector<Vect
     return;
   rows.pop_back();
   ++picks.rejected_rows;
-  picks.warnings.push_back(picks.source + ": the last row has no line end and fewer decimals than the others; it is left out, the file may be cut short");
+  picks.warnings.push_back(cutRowWarning(picks.source));
 }
 
 } // namespace

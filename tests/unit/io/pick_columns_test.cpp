@@ -1,10 +1,10 @@
 // Which columns of a table are taken for x, y and z, and which table is not guessed at.
+#include "number_text.h"
 #include "pick_samples.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <functional>
 
 namespace graben {
@@ -17,11 +17,7 @@ using test::surveyNodes;
 using testing::Contains;
 using testing::HasSubstr;
 
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3f", value);
-  return text;
-}
+std::string number(double value) { return test::numberText(value, 3); }
 
 /// A table of the survey: letters i j x y z n (row number), a (an attribute), f (the constants 1 14), w (z in whole numbers) or others as they are.
 std::string table(const std::string& columns, const std::string& separator = " ") {

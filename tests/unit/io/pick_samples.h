@@ -4,6 +4,7 @@
 #include "graben/io/pick_reader.h"
 #include "support/temp_folder.h"
 
+#include <functional>
 #include <string>
 
 namespace graben::test {
@@ -40,6 +41,14 @@ inline std::vector<SurveyNode> surveyNodes() {
                        -2000.5 + 0.0003 * (u * u + 2.0 * v * v)});
     }
   return nodes;
+}
+
+/// A row for each node of the survey.
+inline std::string surveyRows(const std::function<std::string(const SurveyNode&)>& row) {
+  std::string text;
+  for (const SurveyNode& node : surveyNodes())
+    text += row(node) + "\n";
+  return text;
 }
 
 } // namespace graben::test

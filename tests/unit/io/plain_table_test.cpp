@@ -1,4 +1,5 @@
 // Texts that are tables in another form: columns parted by |, WKT, GeoJSON, decimal commas.
+#include "number_text.h"
 #include "pick_samples.h"
 #include "stick_samples.h"
 
@@ -22,18 +23,11 @@ using testing::SizeIs;
 
 using Text = std::string;
 
-Text number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3f", value);
-  return text;
-}
+Text number(double value) { return test::numberText(value, 3); }
 
 /// A row for each node of the survey.
 Text picks(const std::function<Text(const Text& x, const Text& y, const Text& z)>& row) {
-  Text text;
-  for (const SurveyNode& node : surveyNodes())
-    text += row(number(node.x), number(node.y), number(node.z)) + "\n";
-  return text;
+  return test::surveyRows([&](const SurveyNode& node) { return row(number(node.x), number(node.y), number(node.z)); });
 }
 
 Text withCommas(Text text) {

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "number_text.h"
+
 #include "graben/core/errors.h"
 #include "graben/io/fault_reader.h"
 #include "support/temp_folder.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
@@ -36,11 +37,7 @@ struct NodeText {
 /// A row for each node as \a row writes it, and \a between behind each stick.
 inline std::string stickRows(const std::function<std::string(const NodeText&)>& row,
                              const std::string& between = "") {
-  const auto number = [](double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.2f", value);
-    return std::string(text);
-  };
+  const auto number = [](double value) { return numberText(value, 2); };
   std::string text;
   const std::vector<Points> sticks = sampleSticks();
   for (std::size_t s = 0; s < sticks.size(); ++s) {

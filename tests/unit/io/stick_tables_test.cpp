@@ -1,7 +1,5 @@
 // Fault sticks as tables: which column tells what, several faults in a file, files cut mid-way.
-#include "graben/core/errors.h"
-#include "graben/io/fault_reader.h"
-#include "support/temp_folder.h"
+#include "stick_samples.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,24 +11,11 @@
 namespace graben {
 namespace {
 
-using test::TempFolder;
+using test::faultFailure;
+using test::readFaultText;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::SizeIs;
-
-std::vector<FaultInput> read(const std::string& content, const std::string& name = "f.dat") {
-  const TempFolder folder;
-  return readFaults(folder.write(name, content));
-}
-
-std::string failure(const std::string& content, const std::string& name = "f.dat") {
-  try {
-    read(content, name);
-  } catch (const ParseError& error) {
-    return error.what();
-  }
-  return {};
-}
 
 const std::vector<FaultStick>& sticksOf(const FaultInput& fault) {
   return std::get<std::vector<FaultStick>>(fault.geometry);
@@ -45,11 +30,7 @@ Vector3 node(int s, int n) {
 /// Rows of the fault as \a row writes them.
 std::string rows(const std::function<std::string(int stick, int node, const std::string& x, const std::string& y, const std::string& z)>& row,
                  const std::string& before_stick = "") {
-  const auto number = [](double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.2f", value);
-    return std::string(text);
-  };
+  const auto number = [](double value) { return test::numberText(value, 2); };
   std::string text;
   for (int s = 0; s < sticks; ++s) {
     text += before_stick;
@@ -117,14 +98,14 @@ TEST(StickTables, AreReadAsProgramsWriteThem) {
          return row;
        })}};
   for (const auto& [name, text] : files) {
-    const auto faults = read(text);
+    const auto faults = readFaultText(text);
     ASSERT_THAT(faults, SizeIs(1)) << name;
     expectFault(faults[0], name);
   }
 }
 
 TEST(StickTables, SayWhichColumnsTheyTook) {
-  const auto faults = read(rows([](int s, int n, S x, S y, S z) { return x + " " + y + " " + z + " " + of(s) + " " + of(n); }));
+  const auto faults = readFaultText(rows([](int s, int n, S x, S y, S z) { return x + " " + y + " " + z + " " + of(s) + " " + of(n); }));
   EXPECT_THAT(faults[0].notes, Contains(HasSubstr("columns 1, 2, 3 of 5 taken as x, y, z, 4 as stick, 5 as node")));
 }
 
@@ -132,13 +113,13 @@ TEST(StickTables, HoldSeveralFaultsByName) {
   const auto named = [](const S& name) {
     return rows([name](int s, int, S x, S y, S z) { return x + "," + y + "," + z + "," + name + "," + of(s); });
   };
-  const auto faults = read("X,Y,Z,name,stick\n" + named("North") + named("\"South, lower\"") + named("North 2"), "f.csv");
+  const auto faults = readFaultText("X,Y,Z,name,stick\n" + named("North") + named("\"South, lower\"") + named("North 2"), "f.csv");
   ASSERT_THAT(faults, SizeIs(3));
   EXPECT_EQ(faults[0].name, "North");
   EXPECT_EQ(faults[1].name, "South, lower");
   for (const FaultInput& fault : faults)
     expectFault(fault, fault.name);
-  const auto opendtect = read(rows([](int s, int n, S x, S y, S z) { return "\"F1\"\t" + x + "\t" + y + "\t" + z + "\t" + of(s) + "\t" + of(n); }) +
+  const auto opendtect = readFaultText(rows([](int s, int n, S x, S y, S z) { return "\"F1\"\t" + x + "\t" + y + "\t" + z + "\t" + of(s) + "\t" + of(n); }) +
                               rows([](int s, int n, S x, S y, S z) { return "\"F2\"\t" + x + "\t" + y + "\t" + z + "\t" + of(s) + "\t" + of(n); }));
   ASSERT_THAT(opendtect, SizeIs(2));
   EXPECT_EQ(opendtect[1].name, "F2");
@@ -153,36 +134,37 @@ TEST(StickTables, NodesOutOfOrderAndSticksMixedAreSorted) {
       std::snprintf(row, sizeof row, "%.2f %.2f %.2f %d %d\n", node(s, n).x(), node(s, n).y(), node(s, n).z(), s, n);
       text += row;
     }
-  expectFault(read(text)[0], "mixed");
+  expectFault(readFaultText(text)[0], "mixed");
 }
 
 TEST(StickTables, HeaderNamesTellTheDirectionOfZ) {
   const std::string body = "1,2,300,1\n3,4,500,1\n5,6,300,2\n7,8,500,2\n";
-  EXPECT_EQ(read("X,Y,Depth,stick\n" + body)[0].z_positive, ZPositive::Down);
-  EXPECT_EQ(read("X,Y,Z,stick\n" + body)[0].z_positive, ZPositive::Unknown);
-  EXPECT_EQ(read("X,Y,Elevation,stick\n" + body)[0].z_positive, ZPositive::Up);
+  EXPECT_EQ(readFaultText("X,Y,Depth,stick\n" + body)[0].z_positive, ZPositive::Down);
+  EXPECT_EQ(readFaultText("X,Y,Z,stick\n" + body)[0].z_positive, ZPositive::Unknown);
+  EXPECT_EQ(readFaultText("X,Y,Elevation,stick\n" + body)[0].z_positive, ZPositive::Up);
 }
 
 TEST(StickTables, DoNotGuess) {
   const std::string four = rows([](int s, int n, S x, S y, S z) { return x + " " + y + " 0." + of((7 * s + n * n) % 10) + " " + z; });
-  EXPECT_THAT(failure(four), HasSubstr("columns of the sticks are not certain"));
-  EXPECT_THAT(failure("X,Y,stick\n1,2,1\n3,4,1\n"), HasSubstr("no z"));
-  EXPECT_THAT(failure("a 1 2 3\nb 1 2 c\nb 1 2 c\nb 4 5 c\nb 4 5 c\n"), HasSubstr("fewer than three columns hold numbers"));
+  EXPECT_THAT(faultFailure(four), HasSubstr("columns of the sticks are not certain"));
+  EXPECT_THAT(faultFailure("X,Y,stick\n1,2,1\n3,4,1\n"), HasSubstr("no z"));
+  EXPECT_THAT(faultFailure("a 1 2 3\nb 1 2 c\nb 1 2 c\nb 4 5 c\nb 4 5 c\n"), HasSubstr("fewer than three columns hold numbers"));
 }
 
 TEST(StickTables, LinesWithTracesAreAHorizons) {
-  EXPECT_THAT(failure("Line,Trace,X,Y,Time\nL1,1,0,0,1.5\nL1,2,1,0,1.5\nL2,1,0,1,1.5\nL2,2,1,1,1.5\n"), HasSubstr("as that of a horizon along lines does"));
+  EXPECT_THAT(faultFailure("Line,Trace,X,Y,Time\nL1,1,0,0,1.5\nL1,2,1,0,1.5\nL2,1,0,1,1.5\nL2,2,1,1,1.5\n"),
+              HasSubstr("as that of a horizon along lines does"));
 }
 
 TEST(StickTables, CutFilesAreSaid) {
   const std::string whole = "1.5 2.5 3.5\n4 5 6\n999 999 999\n7 8 9\n1.5 2.5 7.25\n";
-  EXPECT_TRUE(read(whole, "f.pol")[0].warnings.empty());
-  EXPECT_THAT(read(whole.substr(0, whole.size() - 3), "f.pol")[0].warnings, Contains(HasSubstr("may be cut short")));
-  EXPECT_THAT(failure(whole.substr(0, whole.size() - 6), "f.pol"), HasSubstr("f.pol:5: "));
+  EXPECT_TRUE(readFaultText(whole, "f.pol")[0].warnings.empty());
+  EXPECT_THAT(readFaultText(whole.substr(0, whole.size() - 3), "f.pol")[0].warnings, Contains(HasSubstr("may be cut short")));
+  EXPECT_THAT(faultFailure(whole.substr(0, whole.size() - 6), "f.pol"), HasSubstr("f.pol:5: "));
   const std::string gocad = "GOCAD TSurf 1\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nTRGL 1 2 3\n";
-  EXPECT_TRUE(read(gocad + "END", "f.ts")[0].warnings.empty());
-  EXPECT_THAT(read(gocad, "f.ts")[0].warnings, Contains(HasSubstr("has no END")));
-  EXPECT_THAT(failure("4,1\n1,2,3\n4,5,6\n7,8,9\n"), HasSubstr("the file is cut short"));
+  EXPECT_TRUE(readFaultText(gocad + "END", "f.ts")[0].warnings.empty());
+  EXPECT_THAT(readFaultText(gocad, "f.ts")[0].warnings, Contains(HasSubstr("has no END")));
+  EXPECT_THAT(faultFailure("4,1\n1,2,3\n4,5,6\n7,8,9\n"), HasSubstr("the file is cut short"));
 }
 
 TEST(StickTables, ManyNodesAreReadFast) {
@@ -191,7 +173,7 @@ TEST(StickTables, ManyNodesAreReadFast) {
     for (int n = 0; n < 35000; ++n)
       text += "461000.5 " + of(5931000 + 1800 * s) + ".5 " + std::to_string(-1700.0 - 0.02 * n) + " " + of(s) + " " + of(n) + "\n";
   const auto start = std::chrono::steady_clock::now();
-  const auto faults = read(text);
+  const auto faults = readFaultText(text);
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 5.0);
   ASSERT_EQ(sticksOf(faults[0]).size(), 3U);
   EXPECT_EQ(sticksOf(faults[0])[2].points.size(), 35000U);

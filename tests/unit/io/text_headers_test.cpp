@@ -1,10 +1,10 @@
 // Headers and first and last rows of tables of picks as other programs write them.
+#include "number_text.h"
 #include "pick_samples.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <functional>
 
 namespace graben {
@@ -14,23 +14,13 @@ using test::readFailure;
 using test::readText;
 using test::SurveyNode;
 using test::surveyNodes;
+using test::surveyRows;
 using testing::Contains;
 using testing::HasSubstr;
 
 using Text = std::string;
 
-Text number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3f", value);
-  return text;
-}
-
-Text rows(const std::function<Text(const SurveyNode&)>& row) {
-  Text text;
-  for (const SurveyNode& node : surveyNodes())
-    text += row(node) + "\n";
-  return text;
-}
+Text number(double value) { return test::numberText(value, 3); }
 
 Text xyz(const SurveyNode& n, const Text& separator = " ") {
   return number(n.x) + separator + number(n.y) + separator + number(n.z);
@@ -50,33 +40,33 @@ void expectSurvey(const Text& content) {
 TEST(TextHeaders, AreThoseOfOtherPrograms) {
   const auto plain = [](const SurveyNode& n) { return xyz(n); };
   const std::pair<const char*, Text> files[] = {
-      {"units apart from names", "Easting (m) Northing (m) TVDSS (m)\n" + rows(plain)},
-      {"a unit of two words", "X [m] Y [m] Depth [m below MSL]\n" + rows(plain)},
+      {"units apart from names", "Easting (m) Northing (m) TVDSS (m)\n" + surveyRows(plain)},
+      {"a unit of two words", "X [m] Y [m] Depth [m below MSL]\n" + surveyRows(plain)},
       {"tabs as padding",
-       "Easting (m)\t\tNorthing (m)\t\tTVDSS (m)\n" + rows([](auto& n) { return xyz(n, "\t\t"); })},
-      {"MATLAB", "% X Y Z\n% m\n" + rows(plain)},
-      {"Eclipse", "-- X Y Z\n" + rows(plain)},
-      {"stars", "* X Y Z\n" + rows(plain)},
-      {"REM", "REM X Y Z\n" + rows(plain)},
+       "Easting (m)\t\tNorthing (m)\t\tTVDSS (m)\n" + surveyRows([](auto& n) { return xyz(n, "\t\t"); })},
+      {"MATLAB", "% X Y Z\n% m\n" + surveyRows(plain)},
+      {"Eclipse", "-- X Y Z\n" + surveyRows(plain)},
+      {"stars", "* X Y Z\n" + surveyRows(plain)},
+      {"REM", "REM X Y Z\n" + surveyRows(plain)},
       {"Tecplot",
-       "TITLE = \"x\"\nVARIABLES = \"X\" \"Y\" \"Z\"\nZONE I=180, F=POINT\n" + rows(plain)},
+       "TITLE = \"x\"\nVARIABLES = \"X\" \"Y\" \"Z\"\nZONE I=180, F=POINT\n" + surveyRows(plain)},
       {"GSLIB", "Horizon\n4\namplitude\nX\nY\nZ\n" +
-                    rows([](auto& n) { return number(0.1 * (n.number % 7)) + " " + xyz(n); })},
+                    surveyRows([](auto& n) { return number(0.1 * (n.number % 7)) + " " + xyz(n); })},
       {"R", "\"x\" \"y\" \"z\"\n" +
-                rows([](auto& n) { return "\"" + std::to_string(n.number + 1) + "\" " + xyz(n); })},
+                surveyRows([](auto& n) { return "\"" + std::to_string(n.number + 1) + "\" " + xyz(n); })},
       {"R without quotes",
-       "x y z\n" + rows([](auto& n) { return std::to_string(n.number + 1) + " " + xyz(n); })},
+       "x y z\n" + surveyRows([](auto& n) { return std::to_string(n.number + 1) + " " + xyz(n); })},
       {"R with names of rows",
-       "x y z\n" + rows([](auto& n) { return "p" + std::to_string(n.number) + " " + xyz(n); })},
+       "x y z\n" + surveyRows([](auto& n) { return "p" + std::to_string(n.number) + " " + xyz(n); })},
       {"pandas",
-       ",x,y,z\n" + rows([](auto& n) { return std::to_string(n.number) + "," + xyz(n, ","); })},
-      {"German", "Rechtswert;Hochwert;Tiefe\n" + rows([](auto& n) { return xyz(n, ";"); })},
-      {"French", "X;Y;Profondeur\n" + rows([](auto& n) { return xyz(n, ";"); })},
-      {"Spanish", "Este,Norte,Profundidad\n" + rows([](auto& n) { return xyz(n, ","); })},
+       ",x,y,z\n" + surveyRows([](auto& n) { return std::to_string(n.number) + "," + xyz(n, ","); })},
+      {"German", "Rechtswert;Hochwert;Tiefe\n" + surveyRows([](auto& n) { return xyz(n, ";"); })},
+      {"French", "X;Y;Profondeur\n" + surveyRows([](auto& n) { return xyz(n, ";"); })},
+      {"Spanish", "Este,Norte,Profundidad\n" + surveyRows([](auto& n) { return xyz(n, ","); })},
       {"ArcGIS", "OID_,POINT_X,POINT_Y,Shape_Z\n" +
-                     rows([](auto& n) { return std::to_string(n.number) + "," + xyz(n, ","); })},
-      {"the number of rows", std::to_string(surveyNodes().size()) + " 3 1\n" + rows(plain)},
-      {"a rule below the names", "X Y Z\n--- --- ---\n" + rows(plain)},
+                     surveyRows([](auto& n) { return std::to_string(n.number) + "," + xyz(n, ","); })},
+      {"the number of rows", std::to_string(surveyNodes().size()) + " 3 1\n" + surveyRows(plain)},
+      {"a rule below the names", "X Y Z\n--- --- ---\n" + surveyRows(plain)},
   };
   for (const auto& [what, content] : files) {
     SCOPED_TRACE(what);
@@ -86,7 +76,7 @@ TEST(TextHeaders, AreThoseOfOtherPrograms) {
 
 TEST(TextHeaders, ThatNameZTwiceAreRefused) {
   const Text content =
-      "X,Y,TWT,Depth\n" + rows([](auto& n) {
+      "X,Y,TWT,Depth\n" + surveyRows([](auto& n) {
         return number(n.x) + "," + number(n.y) + "," + number(-0.9 * n.z) + "," + number(-n.z);
       });
   EXPECT_THAT(readFailure(content),
@@ -98,7 +88,7 @@ TEST(TextHeaders, ThatNameZTwiceAreRefused) {
 }
 
 TEST(TextHeaders, NameSeveralHorizonsByNumberToo) {
-  const Text content = "X,Y,Z,HorizonID\n" + rows([](auto& n) {
+  const Text content = "X,Y,Z,HorizonID\n" + surveyRows([](auto& n) {
                          return xyz(n, ",") + "," + std::to_string(1 + n.number % 2);
                        });
   EXPECT_THAT(readFailure(content), HasSubstr("holds 2 horizons: 1, 2"));
@@ -108,19 +98,19 @@ TEST(TextColumns, OfInlineAndCrosslineWithDecimalsAreLeftOut) {
   const auto lines = [](const SurveyNode& n) {
     return std::to_string(n.inline_number) + ".00 " + std::to_string(n.crossline) + ".00";
   };
-  expectSurvey(rows([&](auto& n) { return lines(n) + " " + xyz(n); }));
-  expectSurvey(rows([&](auto& n) {
+  expectSurvey(surveyRows([&](auto& n) { return lines(n) + " " + xyz(n); }));
+  expectSurvey(surveyRows([&](auto& n) {
     return number(n.x) + " " + number(n.y) + " " + lines(n) + " " + number(n.z);
   }));
-  const PickSet only = readText(rows([&](auto& n) { return lines(n) + " " + number(n.z); }));
+  const PickSet only = readText(surveyRows([&](auto& n) { return lines(n) + " " + number(n.z); }));
   EXPECT_THAT(only.warnings, Contains(HasSubstr("if they are inline and crossline")));
 }
 
 TEST(TextColumns, WithMapCoordinatesForZAreRefused) {
-  EXPECT_THAT(readFailure(rows(
+  EXPECT_THAT(readFailure(surveyRows(
                   [](auto& n) { return number(n.z) + " " + number(n.x) + " " + number(n.y); })),
               HasSubstr("too large for z; name them: --columns X,Y,Z"));
-  EXPECT_EQ(readFailure(rows([](auto& n) {
+  EXPECT_EQ(readFailure(surveyRows([](auto& n) {
               return number(n.x) + " " + number(n.y) + " " +
                      (n.number < 150 ? "9999999" : number(n.z));
             })),
@@ -129,12 +119,12 @@ TEST(TextColumns, WithMapCoordinatesForZAreRefused) {
 }
 
 TEST(LastRow, IsLeftOutWhereItIsCut) {
-  Text content = rows([](auto& n) { return xyz(n); });
+  Text content = surveyRows([](auto& n) { return xyz(n); });
   content.resize(content.size() - 4); // of three decimals one is left
   const PickSet set = readText(content);
   EXPECT_EQ(set.points.size(), surveyNodes().size() - 1);
   EXPECT_THAT(set.warnings, Contains(HasSubstr("may be cut short")));
-  content = rows([](auto& n) { return xyz(n); });
+  content = surveyRows([](auto& n) { return xyz(n); });
   content.pop_back();
   EXPECT_EQ(readText(content).points.size(), surveyNodes().size())
       << "a last row without line end is whole";
@@ -144,7 +134,7 @@ TEST(NoDataWords, AreThoseOfOtherPrograms) {
   for (const char* word : {"-1.#IND", "1.#QNAN", "1.#INF00", "UNDEFINED", "<null>", "(null)", "\\N",
                            "missing", "void", "-", "--", "?", "\" \"", ""}) {
     SCOPED_TRACE(word);
-    const PickSet set = readText("X,Y,Z\n" + rows([&](auto& n) {
+    const PickSet set = readText("X,Y,Z\n" + surveyRows([&](auto& n) {
                                    return number(n.x) + "," + number(n.y) + "," +
                                           (n.number % 9 == 0 ? Text(word) : number(n.z));
                                  }));
