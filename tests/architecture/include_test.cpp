@@ -37,6 +37,13 @@ const std::map<std::string, std::map<std::string, std::set<std::string>>> kFolde
       {"fit", {"local", "field", "cut"}},
       {"kriging", {"cut", "fit"}},
       {"classes", {"local", "field", "cells", "cut", "fit"}}}},
+    {"pipeline",
+     {{"picks", {}},
+      {"faults", {}},
+      {"measures", {}},
+      {"report", {}},
+      {"stages", {"picks", "faults", "measures"}},
+      {"runs", {"faults", "stages"}}}},
 };
 
 std::string moduleOf(const SourceFile& file) {
