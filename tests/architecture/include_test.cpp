@@ -44,6 +44,7 @@ const std::map<std::string, std::map<std::string, std::set<std::string>>> kFolde
       {"report", {}},
       {"stages", {"picks", "faults", "measures"}},
       {"runs", {"faults", "stages"}}}},
+    {"visualization", {{"drawing", {}}, {"scenes", {"drawing"}}, {"pictures", {"drawing"}}}},
 };
 
 std::string moduleOf(const SourceFile& file) {
