@@ -1,6 +1,6 @@
 #include "graben/mesh/triangle_bvh.h"
 
-#include "scaled_box.h"
+#include "search/scaled_box.h"
 
 #include <Eigen/Geometry>
 

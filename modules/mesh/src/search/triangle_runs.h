@@ -1,7 +1,7 @@
 #pragma once
 
-#include "run_search.h"
-#include "scaled_box.h"
+#include "search/run_search.h"
+#include "search/scaled_box.h"
 
 #include "graben/mesh/bounds.h"
 #include "graben/mesh/triangle_mesh.h"

@@ -1,4 +1,4 @@
-#include "inside_distance.h"
+#include "search/inside_distance.h"
 
 #include "graben/core/clones.h"
 

@@ -1,7 +1,7 @@
 #include "graben/mesh/nearest_triangles.h"
 
-#include "inside_distance.h"
-#include "triangle_runs.h"
+#include "search/inside_distance.h"
+#include "search/triangle_runs.h"
 
 #include "graben/mesh/triangle_bounds.h"
 #include "graben/mesh/triangle_bvh.h"

@@ -1,4 +1,4 @@
-#include "corner_angles.h"
+#include "triangles/corner_angles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "triangle_runs.h"
+#include "search/triangle_runs.h"
 
 #include "graben/core/threads.h"
 #include "graben/mesh/triangle_bounds.h"

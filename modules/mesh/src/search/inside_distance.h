@@ -1,6 +1,6 @@
 #pragma once
 
-#include "run_search.h"
+#include "search/run_search.h"
 
 namespace graben::detail {
 

@@ -1,6 +1,6 @@
 #include "graben/mesh/normals.h"
 
-#include "corner_angles.h"
+#include "triangles/corner_angles.h"
 
 #include "graben/core/threads.h"
 

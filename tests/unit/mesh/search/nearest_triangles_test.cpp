@@ -2,8 +2,8 @@
 
 #include "graben/core/errors.h"
 #include "graben/mesh/triangle_bvh.h"
-#include "inside_distance.h"
-#include "triangle_runs.h"
+#include "search/inside_distance.h"
+#include "search/triangle_runs.h"
 #include "unit/mesh/meshes.h"
 
 #include <gtest/gtest.h>
