@@ -37,6 +37,7 @@ const std::map<std::string, std::map<std::string, std::set<std::string>>> kFolde
       {"fit", {"local", "field", "cut"}},
       {"kriging", {"cut", "fit"}},
       {"classes", {"local", "field", "cells", "cut", "fit"}}}},
+    {"faults", {{"meshes", {}}, {"lofting", {"meshes"}}, {"joints", {}}, {"network", {"joints"}}}},
     {"mesh", {{"triangles", {}}, {"search", {}}, {"solids", {}}}},
     {"pipeline",
      {{"picks", {}},

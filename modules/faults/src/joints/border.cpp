@@ -1,4 +1,4 @@
-#include "border.h"
+#include "joints/border.h"
 
 #include "graben/mesh/adjacency.h"
 #include "graben/mesh/components.h"

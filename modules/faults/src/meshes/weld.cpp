@@ -1,4 +1,4 @@
-#include "cleaning.h"
+#include "meshes/cleaning.h"
 
 #include <Eigen/Geometry>
 

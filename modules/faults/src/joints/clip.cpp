@@ -1,4 +1,4 @@
-#include "clip.h"
+#include "joints/clip.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fault_frame.h"
+#include "lofting/fault_frame.h"
 
 #include "graben/faults/fault_surface.h"
 

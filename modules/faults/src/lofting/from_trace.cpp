@@ -1,4 +1,4 @@
-#include "from_trace.h"
+#include "lofting/from_trace.h"
 
 #include "graben/core/errors.h"
 

@@ -1,4 +1,4 @@
-#include "smooth_loft.h"
+#include "lofting/smooth_loft.h"
 
 #include "graben/core/errors.h"
 #include "graben/core/short_number.h"

@@ -1,7 +1,7 @@
-#include "joint.h"
+#include "joints/joint.h"
 
-#include "clip.h"
-#include "edge_splitter.h"
+#include "joints/clip.h"
+#include "joints/edge_splitter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "edge_splitter.h"
+#include "joints/edge_splitter.h"
 
 #include <algorithm>
 

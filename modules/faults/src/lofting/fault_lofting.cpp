@@ -1,10 +1,10 @@
 #include "graben/faults/fault_lofting.h"
 
-#include "fault_parts.h"
-#include "from_trace.h"
-#include "smooth_loft.h"
-#include "stick_checks.h"
-#include "sticks.h"
+#include "lofting/fault_parts.h"
+#include "lofting/from_trace.h"
+#include "lofting/smooth_loft.h"
+#include "lofting/stick_checks.h"
+#include "lofting/sticks.h"
 
 #include "graben/core/errors.h"
 #include "graben/core/short_number.h"

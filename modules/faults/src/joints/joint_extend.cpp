@@ -1,6 +1,6 @@
-#include "edge_splitter.h"
-#include "joint.h"
-#include "strip.h"
+#include "joints/edge_splitter.h"
+#include "joints/joint.h"
+#include "joints/strip.h"
 
 #include "graben/mesh/normals.h"
 

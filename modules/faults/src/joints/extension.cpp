@@ -1,7 +1,7 @@
 #include "graben/faults/extension.h"
 
-#include "border.h"
-#include "strip.h"
+#include "joints/border.h"
+#include "joints/strip.h"
 
 #include "graben/core/errors.h"
 #include "graben/mesh/normals.h"

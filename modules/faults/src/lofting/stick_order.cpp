@@ -1,5 +1,5 @@
-#include "cleaning.h"
-#include "sticks.h"
+#include "lofting/sticks.h"
+#include "meshes/cleaning.h"
 
 #include "graben/core/errors.h"
 #include "graben/faults/fault_surface.h"

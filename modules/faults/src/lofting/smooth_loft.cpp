@@ -1,6 +1,6 @@
-#include "smooth_loft.h"
+#include "lofting/smooth_loft.h"
 
-#include "height_fit.h"
+#include "lofting/height_fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sticks.h"
+#include "lofting/sticks.h"
 
 #include <algorithm>
 #include <cmath>

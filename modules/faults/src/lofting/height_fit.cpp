@@ -1,6 +1,6 @@
-#include "height_fit.h"
+#include "lofting/height_fit.h"
 
-#include "fault_frame.h"
+#include "lofting/fault_frame.h"
 
 #include "graben/mesh/bounds.h"
 

@@ -1,6 +1,6 @@
-#include "cleaning.h"
-#include "smooth_loft.h"
-#include "sticks.h"
+#include "lofting/smooth_loft.h"
+#include "lofting/sticks.h"
+#include "meshes/cleaning.h"
 
 #include "graben/core/errors.h"
 #include "graben/faults/fault_surface.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "border.h"
+#include "joints/border.h"
 #include "graben/faults/fault_network.h"
-#include "signed_surface.h"
+#include "joints/signed_surface.h"
 
 #include "graben/mesh/vertex_corners.h"
 

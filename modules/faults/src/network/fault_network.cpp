@@ -1,6 +1,6 @@
 #include "graben/faults/fault_network.h"
 
-#include "branches.h"
+#include "joints/branches.h"
 
 #include "graben/core/errors.h"
 #include "graben/mesh/normals.h"

@@ -1,7 +1,7 @@
-#include "stick_checks.h"
+#include "lofting/stick_checks.h"
 
-#include "fault_frame.h"
-#include "sticks.h"
+#include "lofting/fault_frame.h"
+#include "lofting/sticks.h"
 
 #include "graben/mesh/bounds.h"
 

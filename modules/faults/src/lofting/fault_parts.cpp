@@ -1,7 +1,7 @@
-#include "fault_parts.h"
+#include "lofting/fault_parts.h"
 
-#include "smooth_loft.h"
-#include "sticks.h"
+#include "lofting/smooth_loft.h"
+#include "lofting/sticks.h"
 
 #include <Eigen/Geometry>
 

@@ -1,4 +1,4 @@
-#include "strip.h"
+#include "joints/strip.h"
 
 #include "graben/mesh/normals.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "signed_surface.h"
+#include "joints/signed_surface.h"
 
 #include "graben/mesh/vertex_corners.h"
 

@@ -1,6 +1,6 @@
-#include "branches.h"
+#include "joints/branches.h"
 
-#include "joint.h"
+#include "joints/joint.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "graben/faults/fault_surface.h"
 
-#include "cleaning.h"
+#include "meshes/cleaning.h"
 
 #include "graben/core/errors.h"
 

@@ -1,4 +1,4 @@
-#include "cleaning.h"
+#include "meshes/cleaning.h"
 
 #include "graben/mesh/normals.h"
 

@@ -1,4 +1,4 @@
-#include "fault_frame.h"
+#include "lofting/fault_frame.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
