@@ -38,6 +38,7 @@ const std::map<std::string, std::map<std::string, std::set<std::string>>> kFolde
       {"kriging", {"cut", "fit"}},
       {"classes", {"local", "field", "cells", "cut", "fit"}}}},
     {"faults", {{"meshes", {}}, {"lofting", {"meshes"}}, {"joints", {}}, {"network", {"joints"}}}},
+    {"features", {{"search", {}}, {"planes", {}}, {"orientation", {"search"}}, {"sampling", {"planes"}}, {"normals", {}}}},
     {"mesh", {{"triangles", {}}, {"search", {}}, {"solids", {}}}},
     {"pipeline",
      {{"picks", {}},
