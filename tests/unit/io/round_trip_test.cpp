@@ -23,12 +23,12 @@ namespace {
 using test::TempFolder;
 
 /// In map coordinates, with all the digits that a double has.
-Points points(std::size_t count, double x0 = 461000.0, double y0 = 5931000.0) {
+Points points(std::size_t count, double east = 461000.0, double north = 5931000.0) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> within(0.0, 1.0);
   Points all;
   for (std::size_t i = 0; i < count; ++i)
-    all.emplace_back(x0 + 3000.0 * within(random), y0 + 3000.0 * within(random), -2000.0 + 100.0 * within(random));
+    all.emplace_back(east + 3000.0 * within(random), north + 3000.0 * within(random), -2000.0 + 100.0 * within(random));
   return all;
 }
 
