@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 namespace graben::test {
@@ -27,6 +28,17 @@ TEST(Files, LinesStayShort) {
   for (const SourceFile& file : sourceTree())
     for (std::size_t i = 0; file.isCpp() && i < file.lines.size(); ++i)
       EXPECT_LE(file.lines[i].size(), kWidest) << file.path << ":" << i + 1;
+}
+
+TEST(Files, OfAModuleAreDividedIntoFoldersBeforeTheyAreTooMany) {
+  constexpr int kMostSources = 20;
+  std::map<std::string, int> sources;
+  for (const SourceFile& file : sourceTree())
+    if (file.under("modules/") && file.extension() == ".cpp")
+      ++sources[std::filesystem::path(file.path).parent_path().string()];
+  for (const auto& [folder, count] : sources)
+    EXPECT_LE(count, kMostSources) << folder << " wants to be divided by subject";
+  EXPECT_GT(sources.size(), 30U) << "the folders were not found";
 }
 
 TEST(Files, NothingIsLeftForLater) {
