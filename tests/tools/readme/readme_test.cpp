@@ -174,5 +174,27 @@ TEST_F(Pages, TheMapShowsWhatModulesInclude) {
   EXPECT_EQ(static_cast<std::size_t>(drawn), count) << "arrows that are no longer true; tools/module_map draws it";
 }
 
+/// The words that the map writes into a module's box, a space before and after each.
+std::string wordsInBox(const std::string& map, const std::string& module) {
+  const std::size_t begin = map.find("<title>" + module + "</title>");
+  std::string box = begin == std::string::npos ? std::string() : map.substr(begin, map.find("</g>", begin) - begin);
+  return " " + std::regex_replace(box, std::regex("<[^>]*>|\\s+"), " ") + " ";
+}
+
+TEST_F(Pages, TheMapShowsTheFoldersOfEachModule) {
+  ASSERT_EQ(shell("python3 '" GRABEN_SOURCE_DIR "/tools/module_map' --folders > folders.txt"), 0);
+  std::istringstream modules(content("folders.txt"));
+  const std::string map = test::source("config/documentation/modules.svg");
+  std::size_t count = 0;
+  for (std::string line, module; std::getline(modules, line);) {
+    std::istringstream words(line);
+    words >> module;
+    const std::string box = wordsInBox(map, module);
+    for (std::string folder; words >> folder; ++count)
+      EXPECT_NE(box.find(" " + folder + " "), std::string::npos) << module << "/src/" << folder << "; tools/module_map draws it";
+  }
+  EXPECT_GT(count, 20U);
+}
+
 } // namespace
 } // namespace graben
