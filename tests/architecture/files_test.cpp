@@ -41,6 +41,33 @@ TEST(Files, OfAModuleAreDividedIntoFoldersBeforeTheyAreTooMany) {
   EXPECT_GT(sources.size(), 30U) << "the folders were not found";
 }
 
+/// How many arguments stand in the parentheses that open at a place of a text.
+int argumentsAt(const std::string& text, std::size_t open) {
+  int depth = 0, count = 1;
+  for (std::size_t i = open; i < text.size(); ++i) {
+    const char c = text[i];
+    depth += (c == '(' || c == '{' || c == '[') - (c == ')' || c == '}' || c == ']');
+    count += c == ',' && depth == 1;
+    if (depth == 0)
+      break;
+  }
+  return count;
+}
+
+/// Without names of their own they are numbered or print bytes, which say nothing and change from build to build.
+TEST(Files, NameTheCasesOfParametrisedTests) {
+  const std::string macro = std::string("INSTANTIATE_TEST") + "_SUITE_P";
+  int found = 0;
+  for (const SourceFile& file : sourceTree()) {
+    std::string text;
+    for (const std::string& line : file.lines)
+      text += line + "\n";
+    for (auto at = text.find(macro + "("); at != std::string::npos; at = text.find(macro + "(", at + 1), ++found)
+      EXPECT_GE(argumentsAt(text, at + macro.size()), 4) << file.path << ": " << text.substr(at, text.find('\n', at) - at);
+  }
+  EXPECT_GT(found, 15);
+}
+
 TEST(Files, NothingIsLeftForLater) {
   const auto word = [](const std::string& first, const std::string& second) { return first + second; };
   const std::vector<std::string> forbidden = {word("TO", "DO"),           word("FIX", "ME"),         word("XX", "X:"),

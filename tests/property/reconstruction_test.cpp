@@ -7,6 +7,7 @@
 #include "graben/mesh/triangle_bvh.h"
 #include "graben/pipeline/horizon_reconstruction.h"
 #include "graben/synthetic/synthetic_model.h"
+#include "support/synthetic_kind.h"
 #include "support/temp_folder.h"
 
 #include <gtest/gtest.h>
@@ -257,8 +258,7 @@ TEST(DenseReconstruction, AShiftToMapCoordinatesOrATurnHardlyMovesTheSurface) {
     expectNear(job, expected, motion, 0.15, 0.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, Reconstruction, testing::Values(SyntheticKind::Normal, SyntheticKind::Tip, SyntheticKind::Branch),
-                         [](const auto& tested) { return syntheticKindNames()[static_cast<std::size_t>(tested.param)]; });
+INSTANTIATE_TEST_SUITE_P(Kinds, Reconstruction, testing::Values(SyntheticKind::Normal, SyntheticKind::Tip, SyntheticKind::Branch), test::nameOf);
 
 } // namespace
 } // namespace graben

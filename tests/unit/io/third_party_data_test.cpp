@@ -5,6 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+#include <ostream>
+#include <string>
+
 namespace graben {
 namespace {
 
@@ -13,7 +18,16 @@ struct CloudCase {
   std::size_t points;
   std::size_t normals;
   ZPositive z_positive;
+
+  friend void PrintTo(const CloudCase& cloud, std::ostream* out) { *out << cloud.file; }
 };
+
+/// A path as a name of a test: letters, digits and underscores.
+std::string nameOfFile(std::string file) {
+  std::replace_if(
+      file.begin(), file.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return file;
+}
 
 class ThirdPartyPicks : public testing::TestWithParam<CloudCase> {};
 
@@ -38,7 +52,8 @@ INSTANTIATE_TEST_SUITE_P(
                     CloudCase{"formats/Nimitz_Salmon_XY-and-ILXL_Single-line-header.dat", 1830, 0,
                               ZPositive::Unknown},
                     CloudCase{"formats/Segment_XY-and-ILXL_Multi-line-header.dat", 829, 0,
-                              ZPositive::Unknown}));
+                              ZPositive::Unknown}),
+    [](const auto& tested) { return nameOfFile(tested.param.file); });
 
 TEST(ThirdPartyData, opendtectZComesFromTheNamedColumn) {
   GRABEN_REQUIRE_DATA(single, "formats/Nimitz_Salmon_XY-and-ILXL_Single-line-header.dat");
@@ -67,6 +82,8 @@ struct MeshCase {
   const char* file;
   std::size_t vertices;
   std::size_t triangles;
+
+  friend void PrintTo(const MeshCase& mesh, std::ostream* out) { *out << mesh.file; }
 };
 
 class ThirdPartyMeshes : public testing::TestWithParam<MeshCase> {};
@@ -89,7 +106,8 @@ INSTANTIATE_TEST_SUITE_P(
                     MeshCase{"cfm/OCBA-PVFZ-MULT-Palos_Verdes_fault-CFM6.ts", 3415, 5262},
                     MeshCase{"cfm/SFBY-NCRH-MULT-Hayward_Rogers_Creek-CFM7.ts", 2804, 4947},
                     MeshCase{"cfm/WTRA-NCVS-PPTV-Pitas_Point_fault_east-CFM6_500m.ts", 5909,
-                             11511}));
+                             11511}),
+    [](const auto& tested) { return nameOfFile(tested.param.file); });
 
 } // namespace
 } // namespace graben

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graben/synthetic/synthetic_model.h"
+#include "support/synthetic_kind.h"
 
 #include <gtest/gtest.h>
 
@@ -21,10 +22,6 @@ inline std::vector<SyntheticKind> allKinds() {
   for (std::size_t i = 0; i < syntheticKindNames().size(); ++i)
     kinds.push_back(static_cast<SyntheticKind>(i));
   return kinds;
-}
-
-inline std::string nameOf(const testing::TestParamInfo<SyntheticKind>& info) {
-  return syntheticKindNames()[static_cast<std::size_t>(info.param)];
 }
 
 /// A test over one kind of horizon.

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
+#include <string>
 
 using namespace graben;
 using test::Random;
@@ -42,6 +44,10 @@ struct TrueFault {
         result.back().points.push_back(at(apart * i, z) + noise * (random.in(-1.73, 1.73) * across() + level * random.in(-1.73, 1.73) * strike));
     }
     return result;
+  }
+
+  friend void PrintTo(const TrueFault& fault, std::ostream* out) {
+    *out << "azimuth " << fault.azimuth << ", dip " << fault.dip << ", bend " << fault.bend << ", listric " << fault.listric;
   }
 
   /// Largest distance of a surface to where the fault is, over its inner part.
@@ -224,9 +230,15 @@ TEST_P(Digitised, PatchesOneAboveTheOtherSeparateAsOne) {
   }
 }
 
+std::string nameOfTrueFault(const testing::TestParamInfo<TrueFault>& tested) {
+  const char* const names[] = {"Plane", "Bent", "Steep", "Listric", "InMapCoordinates"}; // in the order below
+  return names[tested.index];
+}
+
 INSTANTIATE_TEST_SUITE_P(Faults, Digitised,
                          testing::Values(TrueFault{}, TrueFault{37.0, 60.0, 60.0}, TrueFault{-120.0, 85.0, 30.0},
-                                         TrueFault{200.0, 75.0, 0.0, 0.0008}, TrueFault{90.0, 45.0, 40.0, 0.0, {461000.0, 5931000.0, 0.0}}));
+                                         TrueFault{200.0, 75.0, 0.0, 0.0008}, TrueFault{90.0, 45.0, 40.0, 0.0, {461000.0, 5931000.0, 0.0}}),
+                         nameOfTrueFault);
 
 TEST(FaultLofting, FaultsInOneFileAreToldApart) {
   TrueFault west;

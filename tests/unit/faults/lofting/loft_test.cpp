@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <ostream>
 #include <set>
 
 using namespace graben;
@@ -81,6 +82,8 @@ struct LoftCase {
   const char* name;
   Trace trace;
   int sticks;
+
+  friend void PrintTo(const LoftCase& loft, std::ostream* out) { *out << loft.sticks << " sticks, " << loft.name; }
 };
 
 class Loft : public testing::TestWithParam<LoftCase> {};

@@ -91,7 +91,8 @@ TEST_P(SegmentEdgeCases, ThroughALongThinFanNeverSlips) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Offsets, SegmentEdgeCases, testing::Values(0.0, 1e4, 5e6));
+INSTANTIATE_TEST_SUITE_P(Offsets, SegmentEdgeCases, testing::Values(0.0, 1e4, 5e6),
+                         [](const auto& tested) { return "AtOffset" + std::to_string(static_cast<long>(tested.param)); });
 
 TEST(SegmentEdgeCases, TheLowestTriangleStandsForACornerOfAFlatGrid) {
   const TriangleBvh bvh(test::gridMesh(4));

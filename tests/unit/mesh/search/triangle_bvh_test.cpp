@@ -117,7 +117,8 @@ TEST_P(BvhAgainstBruteForce, Boxes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Soups, BvhAgainstBruteForce, testing::Values(0, 1, 2, 5, 10, 15));
+INSTANTIATE_TEST_SUITE_P(Soups, BvhAgainstBruteForce, testing::Values(0, 1, 2, 5, 10, 15),
+                         [](const auto& tested) { return "Of" + std::to_string(30 * tested.param + 1) + "Triangles"; });
 
 TEST(TriangleBvh, PointsThatNothingPartsSeeEachOther) {
   std::mt19937_64 generator(7);

@@ -8,7 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 namespace graben {
+
+inline void PrintTo(const LocalModel& model, std::ostream* out) { *out << "degree " << model.degree << " of " << model.neighbors << " picks"; }
+
 namespace {
 
 /// The equations of config/documentation/equations.md, written down plainly: a weighted polynomial through the picks in a disc of a plane.
