@@ -46,11 +46,8 @@ int evaluate(const OptionValues& values) {
   if (!quiet)
     tell("note", files.notes);
   const SurfaceEvaluation evaluation = evaluateSurface(files.input, options);
-  if (values.has("report")) {
-    AtomicFile out(values.text("report"));
-    out.write(evaluationJson(values, files, evaluation, sigma));
-    out.commit();
-  }
+  if (values.has("report"))
+    writeFile(values.text("report"), evaluationJson(values, files, evaluation, sigma));
   if (!quiet)
     std::fputs(evaluationText(files, evaluation, sigma).c_str(), stdout);
   if (!values.has("check") || evaluation.ok())

@@ -50,17 +50,11 @@ public:
     } else {
       writeDefects();
     }
-    writeText(add("report.json"), modelJson(result_));
+    writeFile(add("report.json"), modelJson(result_));
     return notes_;
   }
 
 private:
-  static void writeText(const std::string& path, const std::string& text) {
-    AtomicFile out(path);
-    out.write(text);
-    out.commit();
-  }
-
   /// A place for a file; where two objects' names make one file name, the second has a number.
   std::string add(const std::string& name) {
     fs::path path = folder_ / name;

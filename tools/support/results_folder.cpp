@@ -41,12 +41,6 @@ MeshWriteOptions meshOptions(const Output& output, const std::string& name) {
   return o;
 }
 
-void writeText(const fs::path& file, const std::string& text) {
-  AtomicFile out(file.string());
-  out.write(text);
-  out.commit();
-}
-
 std::string pieceFile(std::size_t number) { return "piece_" + std::to_string(number) + ".ts"; }
 
 std::string faultFile(const char* what, std::size_t fault, const ReconstructionResult& result) {
@@ -163,7 +157,7 @@ std::vector<std::string> writeResults(const fs::path& dir, const OptionValues& v
   const ReconstructionResult& result = output.result;
   writeMesh((dir / "surface.ply").string(), result.mesh, meshOptions(output, "surface"));
   writeMesh((dir / "surface.vtk").string(), forViewer(result), meshOptions(output, "surface"));
-  writeText(dir / "surface.cam", cameraOver(result));
+  writeFile(dir / "surface.cam", cameraOver(result));
   writePieces(dir, output);
   writeFaults(dir, output);
   writeCutoffs(dir, result);
@@ -172,7 +166,7 @@ std::vector<std::string> writeResults(const fs::path& dir, const OptionValues& v
   writeProfiles(dir, result, output.units);
   writePolygons(dir, result);
   writePicks(dir, result);
-  writeText(dir / "report.json", toJson(result.report));
+  writeFile(dir / "report.json", toJson(result.report));
   return drawPictures(dir, result, output.units, pictureChoice(values));
 }
 
@@ -238,7 +232,7 @@ std::vector<std::string> writeOutputs(const OptionValues& values, const Reconstr
   if (values.has("output"))
     steps.run(true, [&] { add(writeSurface(values, output)); });
   if (values.has("report"))
-    steps.run(true, [&] { writeText(values.text("report"), toJson(result.report)); });
+    steps.run(true, [&] { writeFile(values.text("report"), toJson(result.report)); });
   if (results)
     steps.run(true, [&] { results->commit(); });
   return notes;

@@ -67,12 +67,6 @@ SectionDrawing drawingOf(const std::string& name, const SealedInput& model, cons
   return drawing;
 }
 
-void writeText(const fs::path& path, const std::string& text) {
-  AtomicFile file(path.string());
-  file.write(text);
-  file.commit();
-}
-
 void writeTables(const fs::path& folder, const std::string& name, const SealedInput& model, const ModelSection& section) {
   const SealedMesh& mesh = model.mesh;
   std::vector<double> number, area;
@@ -119,9 +113,9 @@ void writeSection(const std::string& folder_name, const std::string& name, const
   pictures.pdf = asked("pdf");
   drawSection((folder / name).string(), pictures, drawing);
   if (asked("dxf"))
-    writeText(folder / (name + ".dxf"), sectionDxf(drawing));
+    writeFile(folder / (name + ".dxf"), sectionDxf(drawing));
   if (asked("vtp"))
-    writeText(folder / (name + ".vtp"), sectionVtp(drawing, section.line));
+    writeFile(folder / (name + ".vtp"), sectionVtp(drawing, section.line));
   if (asked("csv"))
     writeTables(folder, name, model, section);
 }

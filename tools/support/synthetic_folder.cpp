@@ -277,9 +277,7 @@ private:
   }
 
   void save(const std::string& name, const std::string& text) {
-    AtomicFile file(add(name));
-    file.write(text);
-    file.commit();
+    writeFile(add(name), text);
   }
 
   const SyntheticModel& model_;

@@ -94,6 +94,12 @@ void checkWritable(const std::string& path) {
   probe.write(std::string(large_piece, '\0'));
 }
 
+void writeFile(const std::string& path, std::string_view bytes) {
+  AtomicFile file(path);
+  file.write(bytes);
+  file.commit();
+}
+
 AtomicFile::AtomicFile(std::string path)
   : path_(std::move(path)), target_(resolvedPath(path_)) {
   struct stat status {};

@@ -48,12 +48,6 @@ fs::path obstacle(const fs::path& folder, const std::string& name) {
   return {};
 }
 
-void writeText(const fs::path& file, const std::string& text) {
-  AtomicFile out(file.string());
-  out.write(text);
-  out.commit();
-}
-
 std::string manifestOf(const std::set<std::string>& names) {
   std::string text = manifest_title + "\n";
   for (const std::string& name : names)
@@ -179,9 +173,9 @@ std::vector<std::string> FileSet::commit() {
   both.insert(former.begin(), former.end());
   const fs::path next = from / (names_.manifest + ".next");
   const fs::path unsealed = from / (names_.seal + ".incomplete");
-  writeText(next, manifestOf(both));
-  writeText(unsealed, names_.incomplete);
-  writeText(from / names_.manifest, manifestOf(files));
+  writeFile(next, manifestOf(both));
+  writeFile(unsealed, names_.incomplete);
+  writeFile(from / names_.manifest, manifestOf(files));
 
   const auto undisturbed = holdUnfinishedFiles();
   committed_ = true;

@@ -35,6 +35,17 @@ TEST(AtomicFile, leavesNothingBehindWithoutCommit) {
   EXPECT_EQ(folder.count(), 1U);
 }
 
+TEST(AtomicFile, isOneCallForBytesAtHand) {
+  const TempFolder folder;
+  const std::string path = folder.write("out.txt", "former");
+  writeFile(path, std::string("a\0b", 3));
+  EXPECT_EQ(contentOf(path), std::string("a\0b", 3));
+  writeFile(path, {});
+  EXPECT_EQ(contentOf(path), "");
+  EXPECT_EQ(folder.count(), 1U);
+  EXPECT_THROW(writeFile(folder.path("none/out.txt"), "new"), WriteError);
+}
+
 TEST(AtomicFile, keepsTheOrderOfSmallAndLargePieces) {
   const TempFolder folder;
   const std::string large(3 << 20, 'x');

@@ -197,9 +197,7 @@ void writeMultiblock(const std::string& path, const SealedMesh& mesh) {
     if (!part.empty())
       add("surface_", mesh.surfaces[s].name, std::move(part));
   }
-  AtomicFile out(path);
-  out.write(text + "    </Block>\n  </vtkMultiBlockDataSet>\n</VTKFile>\n");
-  out.commit();
+  writeFile(path, text + "    </Block>\n  </vtkMultiBlockDataSet>\n</VTKFile>\n");
 }
 
 } // namespace graben

@@ -2,6 +2,7 @@
 
 #include "drawing/picture_file.h"
 
+#include "graben/core/atomic_file.h"
 #include "graben/core/errors.h"
 
 #include <cairo-pdf.h>
@@ -256,14 +257,14 @@ void Canvas::write(const std::string& stem, const PictureFormats& formats) const
     state_->play(surface);
     cairo_surface_write_to_png_stream(surface, append, &bytes);
     finish(surface);
-    writePictureBytes(bytes, stem + ".png");
+    writeFile(stem + ".png", bytes);
   }
   if (formats.svg) {
     std::string bytes;
     cairo_surface_t* surface = cairo_svg_surface_create_for_stream(append, &bytes, width_, height_);
     state_->play(surface);
     finish(surface);
-    writePictureBytes(bytes, stem + ".svg");
+    writeFile(stem + ".svg", bytes);
   }
   if (formats.pdf) {
     std::string bytes;
@@ -271,7 +272,7 @@ void Canvas::write(const std::string& stem, const PictureFormats& formats) const
     cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z"); // the same bytes for the same picture
     state_->play(surface);
     finish(surface);
-    writePictureBytes(bytes, stem + ".pdf");
+    writeFile(stem + ".pdf", bytes);
   }
 }
 

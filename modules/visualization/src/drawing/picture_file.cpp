@@ -31,13 +31,7 @@ void writePicture(vtkRenderWindow* window, const std::string& png) {
   if (bytes == nullptr || bytes->GetNumberOfValues() == 0)
     throw Error("drawing a picture", "the display gave back no image");
 
-  writePictureBytes(std::string(reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())), png);
-}
-
-void writePictureBytes(const std::string& bytes, const std::string& path) {
-  AtomicFile file(path);
-  file.write(bytes);
-  file.commit();
+  writeFile(png, {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())});
 }
 
 } // namespace graben

@@ -10,9 +10,6 @@ namespace graben {
 /// \throw WriteError if the file cannot be written
 void writePicture(vtkRenderWindow* window, const std::string& png);
 
-/// The same for bytes at hand.
-void writePictureBytes(const std::string& bytes, const std::string& path);
-
 /// \throw InvalidInputError unless both are from 64 to 16384
 void checkPictureSize(int width, int height);
 

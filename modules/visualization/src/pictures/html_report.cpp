@@ -2,10 +2,10 @@
 
 #include "drawing/clipped_mesh.h"
 #include "drawing/colors.h"
-#include "drawing/picture_file.h"
 #include "drawing/thinned_mesh.h"
 #include "html_parts.h"
 
+#include "graben/core/atomic_file.h"
 #include "graben/core/errors.h"
 #include "graben/core/ticks.h"
 
@@ -233,7 +233,7 @@ private:
 
 } // namespace
 
-void writeHtmlReport(const std::string& path, const HtmlReport& report) { writePictureBytes(Page(report).text(), path); }
+void writeHtmlReport(const std::string& path, const HtmlReport& report) { writeFile(path, Page(report).text()); }
 
 std::string htmlText(const std::string& text) {
   std::string html;

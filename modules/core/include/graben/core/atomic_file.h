@@ -55,6 +55,11 @@ private:
   bool committed_ = false;
 };
 
+/// Writes all of a file, as an AtomicFile: complete or not at all. O(n), threads may write different files.
+/// \param[in] path of a file in a folder that exists; a former file of that name gives way \param[in] bytes all that it holds, may be none
+/// \throw WriteError if the file is write-protected, none can be made in its folder, or the disk is full
+void writeFile(const std::string& path, std::string_view bytes);
+
 /// The place that \a path names after all symbolic links and dots, also where no file is there yet.
 std::string resolvedPath(const std::string& path);
 
