@@ -47,6 +47,8 @@ void say(const ReconstructionResult& result) {
   if (r.layout.along_lines)
     std::printf("layout     lines about %.3g apart, a pick every %.3g along them, noise %.3g; %.0f %% of the picks\n", r.layout.line_distance, r.layout.along,
                 r.layout.noise, 100.0 * r.layout.share);
+  if (r.layout.mistie > 0.0)
+    std::printf("misties    lines are off against each other by %.3g (standard deviation); the surface goes between them\n", r.layout.mistie);
   if (r.wrong_side_picks + r.smeared_picks > 0)
     std::printf("set aside  %zu picks on the wrong side of a fault, %zu smeared along one\n", r.wrong_side_picks, r.smeared_picks);
   if (r.picks_at_faults + r.stray_picks > 0)

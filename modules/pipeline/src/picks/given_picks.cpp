@@ -1,5 +1,7 @@
 #include "picks/given_picks.h"
 
+#include "graben/features/pick_lines.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -95,6 +97,31 @@ double noiseAlongLines(const Points& picks, const std::vector<Index>& point_of, 
   const auto middle = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 2);
   std::nth_element(variances.begin(), middle, variances.end());
   return std::sqrt(*middle / kMedianOverMean);
+}
+
+std::vector<std::vector<LineShare>> linesOfPoints(const GivenPicks& given, std::size_t points, unsigned threads) {
+  const std::vector<Index> line_of = pickLines(given.picks.points, given.layout, threads);
+  if (line_of.empty() || *std::max_element(line_of.begin(), line_of.end()) < 1)
+    return {};
+  std::vector<std::vector<LineShare>> lines(points);
+  std::vector<double> picks(points, 0.0);
+  for (std::size_t i = 0; i < line_of.size(); ++i) {
+    if (given.point_of[i] < 0 || !given.picks.points[i].allFinite())
+      continue;
+    const auto point = static_cast<std::size_t>(given.point_of[i]);
+    picks[point] += 1.0;
+    if (line_of[i] < 0)
+      continue;
+    const auto known = std::find_if(lines[point].begin(), lines[point].end(), [&](const LineShare& l) { return l.line == line_of[i]; });
+    if (known == lines[point].end())
+      lines[point].push_back({line_of[i], 1.0});
+    else
+      known->share += 1.0;
+  }
+  for (std::size_t p = 0; p < points; ++p)
+    for (LineShare& l : lines[p])
+      l.share /= picks[p];
+  return lines;
 }
 
 } // namespace graben

@@ -3,6 +3,7 @@
 #include "picks/ordered_picks.h"
 
 #include "graben/features/balanced_picks.h"
+#include "graben/surface/kriging_fit.h"
 
 namespace graben {
 
@@ -21,6 +22,9 @@ struct GivenPicks {
 /// Standard deviation of the picks' noise across the surface, from how heights lie about straight lines through short stretches of line; 0 where no stretch
 /// holds enough picks. \param[in] points in the order of the balanced cloud before it was put in order
 double noiseAlongLines(const Points& picks, const std::vector<Index>& point_of, std::size_t points);
+
+/// The lines that the picks lie on of which each point of the balanced cloud is the mean; empty where there are not two lines.
+std::vector<std::vector<LineShare>> linesOfPoints(const GivenPicks& given, std::size_t points, unsigned threads);
 
 /// What was found for each point of the balanced cloud, handed to the picks it stands for.
 template <typename T>

@@ -16,7 +16,7 @@ Json json(const PickLayoutReport& l) {
   if (!l.along_lines)
     return {{"picks_lie", "dense"}};
   return {{"picks_lie", "along lines"}, {"along", l.along}, {"line_distance", l.line_distance}, {"share", l.share}, {"noise", l.noise},
-          {"correlation", l.correlation}, {"correlation_length", l.correlation_length}, {"correlation_noise", l.correlation_noise}};
+          {"correlation", l.correlation}, {"correlation_length", l.correlation_length}, {"correlation_noise", l.correlation_noise}, {"mistie", l.mistie}};
 }
 
 Json json(const ShadowReport& shadows) {

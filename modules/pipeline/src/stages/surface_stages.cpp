@@ -171,12 +171,14 @@ void ReconstructionJob::krigeBetweenLines() {
   chooseModels(LocalFit(grid_, planes_, faults_, fitReach(), mean_distance_)); // by which the deviation is told
   KrigingOptions o;
   o.gap = given_->layout.line_distance;
+  o.lines = linesOfPoints(*given_, picks_.points.size(), options_.threads);
   o.threads = options_.threads;
   const KrigingResult kriged = fitByKriging(cut_, *corners_, picks_.points, faults_, o);
   PickLayoutReport& layout = result_.report.layout;
   layout.correlation = nameOf(kriged.correlation.correlation);
   layout.correlation_length = kriged.correlation.length;
   layout.correlation_noise = kriged.correlation.noise;
+  layout.mistie = kriged.mistie;
 }
 
 /// A few triangles, mostly in the corners between faults, may be folded over or still reach over a fault after the fit; none may stay.

@@ -10,10 +10,10 @@ namespace graben::detail {
 
 namespace {
 
-constexpr std::size_t kTried = 2;       // times as many nodes as are needed are looked at
-constexpr double kTurned = 0.5;         // least cosine between the normals of nodes that tell of one another
+constexpr std::size_t kTried = 2;       // times as many places as are needed are looked at
+constexpr double kTurned = 0.5;         // least cosine between the normals of places that tell of one another
 constexpr double kAlike = 0.9;          // correlation of what bends the two sides of a fault
-constexpr double kNugget = 1e-6;        // share of the variance that is each node's own: keeps the systems solvable
+constexpr double kNugget = 1e-6;        // share of the variance that is each place's own: keeps the systems solvable
 constexpr double kPlane = 1e3;          // variance of the plane, at one length
 constexpr double kNothingSaid = 1e9;    // a row of a larger variance
 
@@ -32,15 +32,26 @@ double correlationAt(double squared_distance, Correlation correlation) {
 
 } // namespace
 
-KrigedRows::KrigedRows(const TriangleMesh& mesh, const Points& normals, const KrigingNodes& nodes, const Points& sights, const FaultNetwork& faults,
-                       const std::vector<Index>& active, const KrigingReach& reach)
-  : mesh_(mesh), normals_(normals), nodes_(nodes), reach_(reach) {
+KrigedRows::KrigedRows(const KrigedPlaces& places, const FaultNetwork& faults, const std::vector<Index>& active, const KrigingReach& reach,
+                       const KrigingSample& sample)
+  : places_(places), reach_(reach) {
   const std::vector<Index> order = coarseToFine(active);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    told_.push_back(tellFrom(order[i], nearestBefore(order, i), sights, faults));
+  for (std::size_t i = 0; i < order.size(); i += i < sample.first ? 1 : sample.every) {
+    told_.push_back(tellFrom(order[i], nearestBefore(order, i), faults));
+    told_.back().weight = i < sample.first ? 1.0 : static_cast<double>(sample.every);
+  }
 }
 
-/// The node farthest from all before it is next.
+/// Of what the lines are off on which two picks lie, the part that is the same.
+double KrigedRows::inCommon(Index a, Index b) const {
+  double sum = 0.0;
+  for (const LineShare& l : places_.lines[static_cast<std::size_t>(a)])
+    for (const LineShare& m : places_.lines[static_cast<std::size_t>(b)])
+      sum += l.line == m.line ? l.share * m.share : 0.0;
+  return sum;
+}
+
+/// The place farthest from all before it is next.
 std::vector<Index> KrigedRows::coarseToFine(const std::vector<Index>& active) const {
   std::vector<Index> order;
   std::vector<double> way(active.size(), std::numeric_limits<double>::infinity());
@@ -55,11 +66,11 @@ std::vector<Index> KrigedRows::coarseToFine(const std::vector<Index>& active) co
   return order;
 }
 
-std::vector<Index> KrigedRows::nearestBefore(const std::vector<Index>& order, std::size_t place) const {
+std::vector<Index> KrigedRows::nearestBefore(const std::vector<Index>& order, std::size_t at) const {
   std::vector<std::pair<double, Index>> before;
-  for (std::size_t j = 0; j < place; ++j)
-    if (normalOf(order[j]).dot(normalOf(order[place])) > kTurned)
-      before.emplace_back((placeOf(order[j]) - placeOf(order[place])).squaredNorm(), order[j]);
+  for (std::size_t j = 0; j < at; ++j)
+    if (normalOf(order[j]).dot(normalOf(order[at])) > kTurned)
+      before.emplace_back((placeOf(order[j]) - placeOf(order[at])).squaredNorm(), order[j]);
   const auto tried = before.begin() + static_cast<std::ptrdiff_t>(std::min(before.size(), kTried * (reach_.own + reach_.facing)));
   std::nth_element(before.begin(), tried, before.end());
   std::sort(before.begin(), tried);
@@ -69,16 +80,16 @@ std::vector<Index> KrigedRows::nearestBefore(const std::vector<Index>& order, st
   return nearest;
 }
 
-KrigedRows::Told KrigedRows::tellFrom(Index node, const std::vector<Index>& nearest, const Points& sights, const FaultNetwork& faults) const {
+KrigedRows::Told KrigedRows::tellFrom(Index place, const std::vector<Index>& nearest, const FaultNetwork& faults) const {
   const auto sees = [&](Index a, Index b) {
-    return faults.empty() || !faults.crosses(sights[static_cast<std::size_t>(a)], sights[static_cast<std::size_t>(b)]);
+    return faults.empty() || !faults.crosses(places_.sight[static_cast<std::size_t>(a)], places_.sight[static_cast<std::size_t>(b)]);
   };
-  Told told{node, {}, 0};
+  Told told{place, {}, 0};
   std::vector<Index> facing; // all of the side of the nearest
   for (const Index other : nearest) {
     if (told.from.size() == reach_.own)
       break;
-    if (sees(node, other))
+    if (sees(place, other))
       told.from.push_back(other);
     else if (facing.size() < reach_.facing && (facing.empty() || sees(facing.front(), other)))
       facing.push_back(other);
@@ -88,29 +99,34 @@ KrigedRows::Told KrigedRows::tellFrom(Index node, const std::vector<Index>& near
   return told;
 }
 
-std::vector<KrigedRow> KrigedRows::rows(Correlation correlation, double length) const {
+std::vector<KrigedRow> KrigedRows::rows(const SurfaceCorrelation& correlation) const {
   std::vector<KrigedRow> rows;
-  for (const Told& told : told_) {
-    KrigedRow made = row(told, correlation, length);
+  const SurfaceCorrelation exact = {correlation.correlation, correlation.length, 0.0, 0.0};
+  for (std::size_t i = 0; i < count(); ++i) {
+    KrigedRow made = row(i, exact);
     if (made.variance < kNothingSaid)
       rows.push_back(std::move(made));
   }
   return rows;
 }
 
-/// Kriging in the plane of the node's surface. Each side varies about a plane of unknown height and tilt.
-KrigedRow KrigedRows::row(const Told& told, Correlation correlation, double length) const {
-  const Vector3& normal = normalOf(told.node);
+/// Kriging in the plane of the surface at the place. Each side varies about a plane of unknown height and tilt.
+KrigedRow KrigedRows::row(std::size_t of, const SurfaceCorrelation& correlation) const {
+  const Told& told = told_[of];
+  const double length = correlation.length;
+  const double lone = kNugget + correlation.noise * correlation.noise;
+  const double off = correlation.mistie * correlation.mistie;
+  const Vector3& normal = normalOf(told.place);
   const Vector3 axis_u = normal.unitOrthogonal(), axis_v = normal.cross(axis_u);
   const auto count = static_cast<Eigen::Index>(told.from.size());
   const auto own = static_cast<Eigen::Index>(told.own);
-  Eigen::MatrixX3d places(count, 3); // 1, u, v; the node itself is at 1, 0, 0
+  Eigen::MatrixX3d places(count, 3); // 1, u, v; the place itself is at 1, 0, 0
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Vector3 off = (placeOf(told.from[static_cast<std::size_t>(i)]) - placeOf(told.node)) / length;
-    places.row(i) << 1.0, off.dot(axis_u), off.dot(axis_v);
+    const Vector3 way = (placeOf(told.from[static_cast<std::size_t>(i)]) - placeOf(told.place)) / length;
+    places.row(i) << 1.0, way.dot(axis_u), way.dot(axis_v);
   }
-  const auto covariance = [correlation](bool one_side, const Eigen::RowVector3d& a, const Eigen::RowVector3d& b) {
-    const double bends = correlationAt((a - b).squaredNorm(), correlation);
+  const auto covariance = [&](bool one_side, const Eigen::RowVector3d& a, const Eigen::RowVector3d& b) {
+    const double bends = correlationAt((a - b).squaredNorm(), correlation.correlation);
     return one_side ? bends + kPlane * a.dot(b) : kAlike * bends;
   };
   const Eigen::RowVector3d here(1.0, 0.0, 0.0);
@@ -119,17 +135,27 @@ KrigedRow KrigedRows::row(const Told& told, Correlation correlation, double leng
   for (Eigen::Index i = 0; i < count; ++i) {
     for (Eigen::Index j = 0; j <= i; ++j)
       among(i, j) = covariance((i < own) == (j < own), places.row(i), places.row(j));
-    among(i, i) += kNugget;
+    among(i, i) += lone;
     to[i] = covariance(i < own, places.row(i), here);
+  }
+  double whole = 1.0 + kPlane + lone;
+  if (off > 0.0 && !places_.lines.empty()) {
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Index other = told.from[static_cast<std::size_t>(i)];
+      for (Eigen::Index j = 0; j <= i; ++j)
+        among(i, j) += off * inCommon(other, told.from[static_cast<std::size_t>(j)]);
+      to[i] += off * inCommon(other, told.place);
+    }
+    whole += off * inCommon(told.place, told.place);
   }
   const Eigen::VectorXd weights = among.selfadjointView<Eigen::Lower>().llt().solve(to);
   KrigedRow made;
-  made.variance = std::max(1.0 + kPlane + kNugget - weights.dot(to), kNugget);
-  made.shares.push_back({told.node, 1.0});
+  made.variance = std::max(whole - weights.dot(to), lone);
+  made.shares.push_back({told.place, 1.0});
   for (Eigen::Index i = 0; i < count; ++i) {
     const Index other = told.from[static_cast<std::size_t>(i)];
     made.shares.push_back({other, -weights[i] * normal.dot(normalOf(other))});
-    made.height -= weights[i] * (placeOf(other) - placeOf(told.node)).dot(normal);
+    made.height -= weights[i] * (placeOf(other) - placeOf(told.place)).dot(normal);
   }
   return made;
 }

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <optional>
 
 namespace graben::detail {
 
@@ -15,15 +13,14 @@ namespace {
 
 constexpr double kFarPick = 1.0;         // gaps: a pick farther from the surface holds nothing
 constexpr double kBeside = 0.05;         // gaps: a pick farther beside the surface's edge holds nothing
+constexpr double kSlanted = 0.3;         // of its distance, that a pick over an edge between triangles may lie beside both
 constexpr double kHalo = 3.0;            // gaps around a window
 constexpr std::size_t kFewVertices = 7000;
 constexpr double kNodeGaps = 0.23;       // between nodes: finer ones say no more of waves of two gaps
-constexpr double kComparedNodeGaps = 0.3;
+constexpr double kCoarseNodeGaps = 0.3;
 constexpr double kLeastNodeEdges = 0.5;  // the vertices of slivers share a node
 constexpr double kMostNodeEdges = 4.0;
-constexpr std::size_t kWindowsTried = 4; // where correlations are compared
-constexpr std::size_t kMostCompared = 1500;   // nodes of such a window
-constexpr KrigingReach kComparedReach = {16, 8};
+constexpr std::size_t kMostCoarse = 1500; // nodes of a window
 constexpr double kMostMove = 3.0;        // of the farthest pick's distance from the surface
 
 /// The moves of a window's own nodes; those of a system are in rising order, as a window's are.
@@ -39,29 +36,29 @@ void handOut(const KrigingSystem& system, const Eigen::VectorXd& moves, const st
 } // namespace
 
 Kriging::Kriging(const CutMesh& cut, const Points& normals, const VertexCorners& corners, const Points& picks, const FaultNetwork& faults,
-                 const KrigingOptions& options, NodesFor nodes)
+                 const KrigingOptions& options, NodeDensity density)
   : mesh_(cut.mesh), normals_(normals), faults_(faults), options_(options) {
-  nodes_ = krigingNodes(cut, corners, nodeSpacing(nodes));
-  placeSights(corners);
-  makeWindows(nodes == NodesFor::Comparison ? std::min(kMostCompared, options.most_nodes) : options.most_nodes);
+  nodes_ = krigingNodes(cut, corners, nodeSpacing(density));
+  placeNodes(corners);
+  makeWindows(density == NodeDensity::Coarse ? std::min(kMostCoarse, options.most_nodes) : options.most_nodes);
   addPicks(picks);
 }
 
 /// Of a small surface nearly every vertex is a node.
-double Kriging::nodeSpacing(NodesFor nodes) const {
+double Kriging::nodeSpacing(NodeDensity density) const {
   double area = 0.0;
   for (const Triangle& t : mesh_.triangles)
     area += 0.5 * areaNormal(mesh_, t).norm();
   const double edge = std::sqrt(2.0 * area / static_cast<double>(mesh_.triangles.size()));
-  if (nodes == NodesFor::Comparison)
-    return std::max(kComparedNodeGaps * options_.gap, kLeastNodeEdges * edge);
+  if (density == NodeDensity::Coarse)
+    return std::max(kCoarseNodeGaps * options_.gap, kLeastNodeEdges * edge);
   if (mesh_.vertices.size() <= kFewVertices)
     return kLeastNodeEdges * edge;
   return std::clamp(kNodeGaps * options_.gap, edge, kMostNodeEdges * edge);
 }
 
-/// In the middle of the triangles around each node, which may lie on a fault itself.
-void Kriging::placeSights(const VertexCorners& corners) {
+/// A node may lie on a fault itself; what it sees is told from the middle of the triangles around it.
+void Kriging::placeNodes(const VertexCorners& corners) {
   for (const Index vertex : nodes_.vertex) {
     Vector3 sum = Vector3::Zero();
     double count = 0.0;
@@ -70,36 +67,45 @@ void Kriging::placeSights(const VertexCorners& corners) {
         sum += mesh_.vertices[static_cast<std::size_t>(v)];
         ++count;
       }
-    sights_.push_back(sum / count);
+    node_places_.place.push_back(mesh_.vertices[static_cast<std::size_t>(vertex)]);
+    node_places_.normal.push_back(normals_[static_cast<std::size_t>(vertex)]);
+    node_places_.sight.push_back(sum / count);
   }
 }
 
 void Kriging::addPicks(const Points& picks) {
   const TriangleBvh bvh(mesh_, options_.threads);
   std::vector<KrigedPick> all(picks.size());
+  Points normals(picks.size());
   std::vector<char> holds(picks.size(), 0);
   parallelFor(picks.size(), 256, options_.threads, [&](std::size_t i) {
     if (picks[i].allFinite())
-      holds[i] = addPick(picks[i], bvh, all[i]) ? 1 : 0;
+      holds[i] = addPick(picks[i], bvh, all[i], normals[i]) ? 1 : 0;
   });
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (holds[i] != 0)
+    if (holds[i] != 0) {
       picks_.push_back(all[i]);
+      pick_places_.place.push_back(picks[i]);
+      pick_places_.normal.push_back(normals[i]);
+      if (!options_.lines.empty())
+        pick_places_.lines.push_back(options_.lines[i]);
+    }
+  pick_places_.sight = pick_places_.place;
 }
 
-bool Kriging::addPick(const Vector3& pick, const TriangleBvh& bvh, KrigedPick& made) const {
+bool Kriging::addPick(const Vector3& pick, const TriangleBvh& bvh, KrigedPick& made, Vector3& normal) const {
   const MeshPoint near = bvh.nearest(pick);
   if (near.triangle < 0 || !(near.distance < kFarPick * options_.gap))
     return false;
   const Triangle& corners = mesh_.triangles[static_cast<std::size_t>(near.triangle)];
-  const Vector3 normal = areaNormal(mesh_, corners).normalized();
+  normal = areaNormal(mesh_, corners).normalized();
   Vector3 middle = Vector3::Zero();
   for (const Index v : corners)
     middle += mesh_.vertices[static_cast<std::size_t>(v)] / 3.0;
   if (!normal.allFinite() || (!faults_.empty() && faults_.crosses(middle, pick)))
     return false;
   made.distance = (pick - near.point).dot(normal);
-  if ((pick - near.point - made.distance * normal).norm() > kBeside * options_.gap + std::abs(made.distance))
+  if ((pick - near.point - made.distance * normal).norm() > kBeside * options_.gap + kSlanted * std::abs(made.distance))
     return false;
   Eigen::Index corner = 0;
   near.barycentric.maxCoeff(&corner);
@@ -140,25 +146,15 @@ std::vector<Index> Kriging::grown(const std::vector<Index>& window) const {
   return active;
 }
 
-KrigingSystem Kriging::systemOf(std::vector<Index> active, const KrigingReach& reach) const {
-  KrigedRows kriged(mesh_, normals_, nodes_, sights_, faults_, active, reach);
-  return KrigingSystem(picks_, std::move(active), std::move(kriged), nodes_.count());
-}
-
-std::vector<KrigingSystem> Kriging::systemsToCompare() const {
-  const std::size_t count = std::min(kWindowsTried, windows_.size());
-  std::vector<std::optional<KrigingSystem>> made(count);
-  parallelFor(count, 1, options_.threads, [&](std::size_t i) { made[i].emplace(systemOf(grown(windows_[i * windows_.size() / count]), kComparedReach)); });
-  std::vector<KrigingSystem> systems;
-  for (std::optional<KrigingSystem>& system : made)
-    systems.push_back(std::move(*system));
-  return systems;
+KrigingSystem Kriging::systemOf(std::vector<Index> active, bool misties) const {
+  KrigedRows kriged(node_places_, faults_, active, KrigingReach());
+  return KrigingSystem(picks_, misties ? pick_places_.lines : std::vector<std::vector<LineShare>>(), std::move(active), std::move(kriged), nodes_.count());
 }
 
 std::vector<double> Kriging::moves(const SurfaceCorrelation& correlation) const {
   Eigen::VectorXd of_nodes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nodes_.count()));
   parallelFor(windows_.size(), 1, options_.threads, [&](std::size_t w) {
-    const KrigingSystem system = systemOf(grown(windows_[w]), KrigingReach());
+    const KrigingSystem system = systemOf(grown(windows_[w]), correlation.mistie > 0.0);
     handOut(system, system.moves(correlation), windows_[w], of_nodes);
   });
   double most = 0.0;

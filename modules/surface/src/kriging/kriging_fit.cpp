@@ -2,16 +2,21 @@
 
 #include "cut/vertex_moves.h"
 #include "fit/steps_on_faults.h"
+#include "kriging.h"
 #include "likeliest_correlation.h"
 
 #include "graben/core/threads.h"
 #include "graben/mesh/normals.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace graben {
 
 namespace {
 
-constexpr SurfaceCorrelation kFirst = {Correlation::Gaussian, 1.35, 0.01}; // in gaps: about what it gives correlations are compared
+constexpr unsigned kCoarsePasses = 3;
+constexpr double kNear = 0.1; // gaps: after moves no longer than this, the surface is as the next pass needs it
 constexpr unsigned kNormalRounds = 2; // in each, a vertex takes the normals of those around it too
 
 /// Of the surface around each vertex, so that no sliver turns them.
@@ -35,6 +40,13 @@ Points evenNormals(const TriangleMesh& mesh, const VertexCorners& corners) {
   for (const Vector3& sum : sums)
     normals.push_back(sum.normalized());
   return normals;
+}
+
+double farthest(const std::vector<double>& moves) {
+  double most = 0.0;
+  for (const double move : moves)
+    most = std::max(most, std::abs(move));
+  return most;
 }
 
 /// Moves the vertices along their normals, those on faults along these.
@@ -71,22 +83,27 @@ KrigingResult fitByKriging(CutMesh& cut, const VertexCorners& corners, const Poi
   KrigingResult result;
   if (cut.mesh.empty() || !(options.gap > 0.0))
     return result;
-  const auto move = [&](detail::NodesFor nodes, const auto& correlationFor) {
+  const auto move = [&](detail::NodeDensity density, const auto& correlationFor) {
     computeVertexNormals(cut.mesh, corners, options.threads);
     const Points normals = evenNormals(cut.mesh, corners);
-    const detail::Kriging kriging(cut, normals, corners, picks, faults, options, nodes);
-    result.picks = kriging.picks();
+    const detail::Kriging kriging(cut, normals, corners, picks, faults, options, density);
+    result.picks = kriging.picks().place.size();
     result.correlation = correlationFor(kriging);
-    applyMoves(cut, corners, faults, normals, kriging.moves(result.correlation), options.threads);
+    const std::vector<double> moves = kriging.moves(result.correlation);
+    applyMoves(cut, corners, faults, normals, moves, options.threads);
+    return farthest(moves);
   };
-  SurfaceCorrelation first = kFirst;
-  first.length *= options.gap;
-  const bool given = options.given.length > 0.0;
-  move(detail::NodesFor::Comparison, [&](const detail::Kriging&) { return given ? options.given : first; });
-  move(detail::NodesFor::Comparison,
-       [&](const detail::Kriging& kriging) { return given ? options.given : detail::likeliestCorrelation(kriging, options.gap, options.threads); });
+  const auto likeliest = [&](const detail::Kriging& kriging) {
+    const detail::LikeliestCorrelation found = detail::likeliestCorrelation(kriging.picks(), faults, options.gap, options.threads);
+    result.mistie = found.correlation.mistie * found.deviation;
+    return found.correlation;
+  };
+  const auto correlation = [&](const detail::Kriging& kriging) { return options.given.length > 0.0 ? options.given : likeliest(kriging); };
+  for (unsigned pass = 0; pass < kCoarsePasses; ++pass)
+    if (!(move(detail::NodeDensity::Coarse, correlation) > kNear * options.gap))
+      break;
   const SurfaceCorrelation chosen = result.correlation;
-  move(detail::NodesFor::Moves, [&](const detail::Kriging&) { return chosen; });
+  move(detail::NodeDensity::Fine, [&](const detail::Kriging&) { return chosen; });
   computeVertexNormals(cut.mesh, corners, options.threads);
   return result;
 }

@@ -3,7 +3,6 @@
 #include <Eigen/SparseCholesky>
 
 #include <cmath>
-#include <limits>
 
 namespace graben::detail {
 
@@ -30,16 +29,17 @@ public:
   bool add(Index node, double weight) {
     const Eigen::Index at = system_.column_[static_cast<std::size_t>(node)];
     if (at >= 0)
-      entries_.emplace_back(static_cast<Eigen::Index>(right_.size()), at, weight);
+      addAt(at, weight);
     return at >= 0;
   }
+  void addAt(Eigen::Index column, double weight) { entries_.emplace_back(static_cast<Eigen::Index>(right_.size()), column, weight); }
   void end(double right) { right_.push_back(right); }
 
   Normal normal() const {
-    Eigen::SparseMatrix<double, Eigen::RowMajor> rows(static_cast<Eigen::Index>(right_.size()), static_cast<Eigen::Index>(system_.active_.size()));
+    Eigen::SparseMatrix<double, Eigen::RowMajor> rows(static_cast<Eigen::Index>(right_.size()), system_.columns());
     rows.setFromTriplets(entries_.begin(), entries_.end());
     const Eigen::Map<const Eigen::VectorXd> right(right_.data(), static_cast<Eigen::Index>(right_.size()));
-    return {Matrix(rows.transpose()) * Matrix(rows), rows.transpose() * right, right.squaredNorm(), right.size()};
+    return {Matrix(rows.transpose()) * Matrix(rows), rows.transpose() * right};
   }
 
 private:
@@ -48,41 +48,48 @@ private:
   std::vector<double> right_;
 };
 
-KrigingSystem::KrigingSystem(const std::vector<KrigedPick>& picks, std::vector<Index> active, KrigedRows rows, std::size_t count)
+KrigingSystem::KrigingSystem(const std::vector<KrigedPick>& picks, const std::vector<std::vector<LineShare>>& lines, std::vector<Index> active, KrigedRows rows, std::size_t count)
   : active_(std::move(active)), column_(count, -1), rows_(std::move(rows)) {
   for (std::size_t i = 0; i < active_.size(); ++i)
     column_[static_cast<std::size_t>(active_[i])] = static_cast<Eigen::Index>(i);
-  picks_ = ofPicks(picks);
+  picks_ = ofPicks(picks, lines);
 }
 
-KrigingSystem::Normal KrigingSystem::ofPicks(const std::vector<KrigedPick>& picks) const {
+/// A line takes a column where the first of its picks holds one of the nodes.
+KrigingSystem::Normal KrigingSystem::ofPicks(const std::vector<KrigedPick>& picks, const std::vector<std::vector<LineShare>>& lines) {
   Rows rows(*this);
-  for (const KrigedPick& pick : picks) {
+  for (std::size_t i = 0; i < picks.size(); ++i) {
+    const NodeBlend& foot = picks[i].foot;
     bool any = false;
-    for (const NodeShare& n : pick.foot.shares)
+    for (const NodeShare& n : foot.shares)
       any = rows.add(n.node, n.share) || any;
-    if (any)
-      rows.end(pick.distance - pick.foot.height);
+    if (!any)
+      continue;
+    if (!lines.empty())
+      for (const LineShare& l : lines[i])
+        rows.addAt(line_column_.try_emplace(l.line, static_cast<Eigen::Index>(active_.size() + line_column_.size())).first->second, l.share);
+    rows.end(picks[i].distance - foot.height);
   }
   return rows.normal();
 }
 
-KrigingSystem::Normal KrigingSystem::ofHeights(const SurfaceCorrelation& correlation, double& log_determinant) const {
+KrigingSystem::Normal KrigingSystem::ofHeights(const SurfaceCorrelation& correlation) const {
   Rows rows(*this);
-  log_determinant = 0.0;
-  for (const KrigedRow& told : rows_.rows(correlation.correlation, correlation.length)) {
+  for (const KrigedRow& told : rows_.rows(correlation)) {
     const double weight = correlation.noise / std::sqrt(told.variance);
     for (const NodeShare& s : told.shares)
       rows.add(s.node, weight * s.share);
     rows.end(-weight * told.height);
-    log_determinant += 2.0 * std::log(weight);
+  }
+  for (const auto& [line, column] : line_column_) {
+    rows.addAt(column, correlation.noise / correlation.mistie);
+    rows.end(0.0);
   }
   return rows.normal();
 }
 
 Eigen::VectorXd KrigingSystem::moves(const SurfaceCorrelation& correlation) const {
-  double log_determinant = 0.0;
-  const Normal heights = ofHeights(correlation, log_determinant);
+  const Normal heights = ofHeights(correlation);
   Matrix matrix = heights.matrix + picks_.matrix;
   const Eigen::VectorXd right = heights.right + picks_.right;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(right.size());
@@ -94,23 +101,6 @@ Eigen::VectorXd KrigingSystem::moves(const SurfaceCorrelation& correlation) cons
     return none;
   const Eigen::VectorXd found = factor.solve(right);
   return found.allFinite() ? found : none;
-}
-
-/// With the variance of the picks' noise as what the distances themselves tell.
-double KrigingSystem::unlikeliness(const SurfaceCorrelation& correlation) const {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  double log_prior = 0.0;
-  const Normal heights = ofHeights(correlation, log_prior);
-  const Matrix matrix = heights.matrix + picks_.matrix;
-  if (matrix.rows() == 0 || picks_.count == 0)
-    return kNone;
-  const Eigen::SimplicialLDLT<Matrix> factor(matrix);
-  if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0.0))
-    return kNone;
-  const Eigen::VectorXd right = heights.right + picks_.right;
-  const auto count = static_cast<double>(picks_.count);
-  const double rest = heights.squares + picks_.squares - right.dot(factor.solve(right));
-  return rest > 0.0 ? count * std::log(rest / count) + factor.vectorD().array().log().sum() - log_prior : kNone;
 }
 
 } // namespace graben::detail

@@ -4,6 +4,8 @@
 
 #include <Eigen/SparseCore>
 
+#include <map>
+
 namespace graben::detail {
 
 /// A pick that holds the surface.
@@ -15,14 +17,11 @@ struct KrigedPick {
 /// The equations of some nodes of a surface, all others staying where they are; made once, solved for any correlation.
 class KrigingSystem {
 public:
-  /// \param[in] active the nodes; \param[in] rows theirs; \param[in] count of all nodes
-  KrigingSystem(const std::vector<KrigedPick>& picks, std::vector<Index> active, KrigedRows rows, std::size_t count);
+  /// \param[in] lines of the picks, see KrigedPlaces; empty where none is off; \param[in] active the nodes; \param[in] rows theirs; \param[in] count of all nodes
+  KrigingSystem(const std::vector<KrigedPick>& picks, const std::vector<std::vector<LineShare>>& lines, std::vector<Index> active, KrigedRows rows, std::size_t count);
 
-  /// The moves of the active nodes, in their order; 0 where the equations cannot be solved. Thread-safe. \param[in] correlation its length in the picks' units
+  /// The moves of the active nodes, in their order; 0 where the equations cannot be solved. Thread-safe. \param[in] correlation its length in the picks' units; its mistie above 0 where there are lines
   Eigen::VectorXd moves(const SurfaceCorrelation& correlation) const;
-
-  /// Twice the negative logarithm of how likely the picks' distances are under a correlation, up to a constant; infinite where it cannot be told. Thread-safe.
-  double unlikeliness(const SurfaceCorrelation& correlation) const;
 
   const std::vector<Index>& active() const { return active_; }
 
@@ -31,17 +30,17 @@ private:
   struct Normal {
     Eigen::SparseMatrix<double> matrix;
     Eigen::VectorXd right;
-    double squares = 0.0;   ///< of the rows' right hand sides
-    Eigen::Index count = 0; ///< of the rows
   };
   class Rows;
 
-  Normal ofPicks(const std::vector<KrigedPick>& picks) const;
-  /// \param[out] log_determinant of the precision of the heights
-  Normal ofHeights(const SurfaceCorrelation& correlation, double& log_determinant) const;
+  Normal ofPicks(const std::vector<KrigedPick>& picks, const std::vector<std::vector<LineShare>>& lines);
+  Normal ofHeights(const SurfaceCorrelation& correlation) const;
+
+  Eigen::Index columns() const { return static_cast<Eigen::Index>(active_.size() + line_column_.size()); }
 
   std::vector<Index> active_;
   std::vector<Eigen::Index> column_; ///< of each node, -1 of one that stays
+  std::map<Index, Eigen::Index> line_column_; ///< of lines, after the nodes'
   KrigedRows rows_;
   Normal picks_;
 };

@@ -1,87 +1,97 @@
 #include "likeliest_correlation.h"
 
-#include "graben/core/threads.h"
+#include "pick_likelihood.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
+#include <vector>
 
 namespace graben::detail {
 
 namespace {
 
 constexpr std::array<double, 13> kLengths = {0.5, 0.7, 0.9, 1.1, 1.35, 1.6, 1.9, 2.3, 2.8, 3.5, 4.5, 6.0, 8.0}; // gaps
-constexpr std::array<double, 7> kNoises = {0.0003, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3};
-constexpr std::size_t kFirstLength = 5;
-constexpr std::size_t kFirstNoise = 3;
+constexpr std::array<double, 5> kNoises = {0.003, 0.01, 0.03, 0.1, 0.3}; // smaller ones are below what nodes can hold
+constexpr std::array<double, 6> kMisties = {0.0, 0.5, 1.0, 2.0, 4.0, 8.0}; // noises
 
-/// How unlikely the picks are under a correlation, see KrigingSystem: of all windows that are compared.
-class Unlikeliness {
-public:
-  Unlikeliness(const Kriging& kriging, unsigned threads) : systems_(kriging.systemsToCompare()), threads_(threads) {}
+/// Which of the lengths, noises and misties.
+using Choice = std::array<std::size_t, 3>;
+constexpr std::size_t kMistie = 2;
+constexpr Choice kCounts = {kLengths.size(), kNoises.size(), kMisties.size()};
+constexpr Choice kFirst = {5, 1, 0};
+constexpr std::size_t kFirstMistie = 2;
+constexpr double kDoubt = 6.0; // twice the logarithm of how much likelier misties must be than none: on few lines they are a little by chance
 
-  double of(const SurfaceCorrelation& correlation) const {
-    std::vector<double> each(systems_.size());
-    parallelFor(each.size(), 1, threads_, [&](std::size_t i) { each[i] = systems_[i].unlikeliness(correlation); });
-    return std::accumulate(each.begin(), each.end(), 0.0);
-  }
-
-private:
-  std::vector<KrigingSystem> systems_;
-  unsigned threads_;
-};
-
-/// Walks from the middle of lengths and noises to where none next to it is likelier.
+/// Walks to where nothing next to it is likelier.
 class UphillSearch {
 public:
-  UphillSearch(const Unlikeliness& picks, Correlation correlation, double gap) : picks_(picks), correlation_(correlation), gap_(gap) {
-    while (step()) {
+  UphillSearch(const PickLikelihood& picks, Correlation correlation, double gap) : picks_(picks), correlation_(correlation), gap_(gap) {
+    climb({0, 1});
+  }
+
+  /// On from where it is, with misties if they make the picks likelier.
+  void tryMisties() {
+    const Choice without = choice_;
+    const double unlikeliness_without = unlikeliness();
+    choice_[kMistie] = kFirstMistie;
+    climb({0, 1, kMistie});
+    if (!(unlikeliness() < unlikeliness_without - kDoubt))
+      choice_ = without;
+  }
+
+  LikeliestCorrelation found() { return {at(choice_), told(choice_).deviation}; }
+  double unlikeliness() { return told(choice_).unlikeliness; }
+
+private:
+  void climb(const std::vector<std::size_t>& axes) {
+    while (std::any_of(axes.begin(), axes.end(), [this](std::size_t axis) { return step(axis); })) {
     }
   }
 
-  SurfaceCorrelation found() const { return at(length_, noise_); }
-  double unlikeliness() { return unlikeliness(length_, noise_); }
-
-private:
-  bool step() {
-    const std::array<std::pair<std::size_t, std::size_t>, 4> next = {
-      {{length_ + 1, noise_}, {length_ - 1, noise_}, {length_, noise_ + 1}, {length_, noise_ - 1}}}; // one before 0 is none, as one after the last
-    for (const auto& [length, noise] : next)
-      if (length < kLengths.size() && noise < kNoises.size() && unlikeliness(length, noise) < unlikeliness(length_, noise_)) {
-        length_ = length;
-        noise_ = noise;
+  bool step(std::size_t axis) {
+    for (const std::size_t way : {choice_[axis] + 1, choice_[axis] - 1}) { // one before 0 is none, as one after the last
+      Choice next = choice_;
+      next[axis] = way;
+      if (way < kCounts[axis] && told(next).unlikeliness < unlikeliness()) {
+        choice_ = next;
         return true;
       }
+    }
     return false;
   }
 
-  SurfaceCorrelation at(std::size_t length, std::size_t noise) const { return {correlation_, kLengths[length] * gap_, kNoises[noise]}; }
+  SurfaceCorrelation at(const Choice& choice) const {
+    const double noise = kNoises[choice[1]];
+    return {correlation_, kLengths[choice[0]] * gap_, noise, kMisties[choice[2]] * noise};
+  }
 
-  double unlikeliness(std::size_t length, std::size_t noise) {
-    const auto [found, fresh] = known_.try_emplace({length, noise}, 0.0);
+  const PickLikelihood::Told& told(const Choice& choice) {
+    const auto [found, fresh] = known_.try_emplace(choice);
     if (fresh)
-      found->second = picks_.of(at(length, noise));
+      found->second = picks_.of(at(choice));
     return found->second;
   }
 
-  const Unlikeliness& picks_;
+  const PickLikelihood& picks_;
   Correlation correlation_;
   double gap_;
-  std::size_t length_ = kFirstLength;
-  std::size_t noise_ = kFirstNoise;
-  std::map<std::pair<std::size_t, std::size_t>, double> known_;
+  Choice choice_ = kFirst;
+  std::map<Choice, PickLikelihood::Told> known_;
 };
 
 } // namespace
 
-SurfaceCorrelation likeliestCorrelation(const Kriging& kriging, double gap, unsigned threads) {
-  const Unlikeliness picks(kriging, threads);
-  SurfaceCorrelation best;
+LikeliestCorrelation likeliestCorrelation(const KrigedPlaces& picks, const FaultNetwork& faults, double gap, unsigned threads) {
+  const PickLikelihood likelihood(picks, faults, gap, threads);
+  LikeliestCorrelation best;
   double least = std::numeric_limits<double>::infinity();
   for (const Correlation correlation : {Correlation::Gaussian, Correlation::Matern5over2, Correlation::Matern3over2}) {
-    UphillSearch search(picks, correlation, gap);
+    UphillSearch search(likelihood, correlation, gap);
+    if (!picks.lines.empty())
+      search.tryMisties();
     if (search.unlikeliness() < least || !std::isfinite(least)) {
       least = search.unlikeliness();
       best = search.found();

@@ -37,10 +37,12 @@ struct Square {
   std::vector<KrigedRow> rows(Correlation correlation) const {
     std::vector<Index> active(nodes.count());
     std::iota(active.begin(), active.end(), 0);
-    Points sights, normals(cut.mesh.vertices.size(), Vector3::UnitZ());
+    detail::KrigedPlaces places;
     for (const Index v : nodes.vertex)
-      sights.push_back(cut.mesh.vertices[static_cast<std::size_t>(v)]);
-    return KrigedRows(cut.mesh, normals, nodes, sights, faults, active, {}).rows(correlation, 5.0);
+      places.place.push_back(cut.mesh.vertices[static_cast<std::size_t>(v)]);
+    places.normal.assign(nodes.count(), Vector3::UnitZ());
+    places.sight = places.place;
+    return KrigedRows(places, faults, active, {}).rows({correlation, 5.0, 0.0});
   }
 };
 

@@ -34,12 +34,14 @@ struct Fitted {
   CutMesh cut = flat();
   KrigingResult result;
 
-  explicit Fitted(const Points& picks, unsigned threads = 0, std::size_t most_nodes = 6000, const SurfaceCorrelation& given = {}) {
+  explicit Fitted(const Points& picks, unsigned threads = 0, std::size_t most_nodes = 6000, const SurfaceCorrelation& given = {},
+                  const std::vector<std::vector<LineShare>>& lines = {}) {
     KrigingOptions options;
     options.gap = 8.0;
     options.threads = threads;
     options.most_nodes = most_nodes;
     options.given = given;
+    options.lines = lines;
     result = fitByKriging(cut, VertexCorners(cut.mesh), picks, {}, options);
   }
   double rms() const {
@@ -55,6 +57,43 @@ TEST(KrigingFit, BendsSmoothlyBetweenLines) {
   EXPECT_LT(fitted.rms(), 0.15); // a tenth of the waves, whose length is seven gaps
   EXPECT_EQ(fitted.result.picks, 4U * 19U);
 }
+
+/// A net of lines, each off by something of its own.
+struct Net {
+  Points picks;
+  std::vector<std::vector<LineShare>> lines;
+
+  explicit Net(double mistie) {
+    test::Random random(5);
+    Index line = 0;
+    for (double across = -20.0; across <= 20.0; across += 8.0)
+      for (const bool along_x : {true, false}) {
+        const double off = random.normal(mistie);
+        for (double along = -20.0; along <= 20.0; along += 2.0) {
+          const double x = along_x ? along : across, y = along_x ? across : along;
+          picks.emplace_back(x, y, bent(x, y) + off + random.normal(0.02));
+          lines.push_back({{line, 1.0}});
+        }
+        ++line;
+      }
+  }
+
+  Fitted fitted(bool told) const {
+    Fitted made(picks, 0, 6000, {}, told ? lines : std::vector<std::vector<LineShare>>());
+    return made;
+  }
+};
+
+TEST(KrigingFit, LinesThatAreOffBendNothingWhereTheyAreKnown) {
+  const Net net(0.4);
+  const Fitted known = net.fitted(true);
+  EXPECT_LT(known.rms(), 0.22); // all lines together are off by the mean of twelve, 0.12 or so
+  EXPECT_GT(net.fitted(false).rms(), known.rms());
+  EXPECT_GT(known.result.mistie, 0.15);
+  EXPECT_LT(known.result.mistie, 0.8);
+}
+
+TEST(KrigingFit, LinesThatTieAreFoundToTie) { EXPECT_EQ(Net(0.0).fitted(true).result.mistie, 0.0); }
 
 TEST(KrigingFit, OfPicksFullOfNoiseStaysBelowIt) { EXPECT_LT(Fitted(lines(0.3)).rms(), 0.3); }
 

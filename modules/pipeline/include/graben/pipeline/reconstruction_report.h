@@ -77,6 +77,7 @@ struct PickLayoutReport {
   std::string correlation;         ///< by which the surface was kriged between the lines, see fitByKriging(); empty where it was not
   double correlation_length = 0.0;
   double correlation_noise = 0.0;  ///< standard deviation of a pick, in those of the surface's heights
+  double mistie = 0.0;             ///< standard deviation of what whole lines are off against each other, in the picks' units
 };
 
 /// One side of a fault before which picks stop short, in x, y units.
