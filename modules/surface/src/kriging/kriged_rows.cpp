@@ -1,5 +1,7 @@
 #include "kriged_rows.h"
 
+#include "coarse_to_fine.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -11,7 +13,6 @@ namespace graben::detail {
 namespace {
 
 constexpr std::size_t kTried = 2;       // times as many places as are needed are looked at
-constexpr double kTurned = 0.5;         // least cosine between the normals of places that tell of one another
 constexpr double kAlike = 0.9;          // correlation of what bends the two sides of a fault
 constexpr double kNugget = 1e-6;        // share of the variance that is each place's own: keeps the systems solvable
 constexpr double kPlane = 1e3;          // variance of the plane, at one length
@@ -35,9 +36,19 @@ double correlationAt(double squared_distance, Correlation correlation) {
 KrigedRows::KrigedRows(const KrigedPlaces& places, const FaultNetwork& faults, const std::vector<Index>& active, const KrigingReach& reach,
                        const KrigingSample& sample)
   : places_(places), reach_(reach) {
-  const std::vector<Index> order = coarseToFine(active);
+  Points of_active, normals;
+  for (const Index i : active) {
+    of_active.push_back(placeOf(i));
+    normals.push_back(normalOf(i));
+  }
+  CoarseToFine arranged(std::move(of_active), std::move(normals));
+  const std::vector<std::size_t>& order = arranged.order();
+  std::vector<Index> nearest;
   for (std::size_t i = 0; i < order.size(); i += i < sample.first ? 1 : sample.every) {
-    told_.push_back(tellFrom(order[i], nearestBefore(order, i), faults));
+    nearest.clear();
+    for (const std::size_t other : arranged.nearestBefore(i, kTried * (reach_.own + reach_.facing)))
+      nearest.push_back(active[other]);
+    told_.push_back(tellFrom(active[order[i]], nearest, faults));
     told_.back().weight = i < sample.first ? 1.0 : static_cast<double>(sample.every);
   }
 }
@@ -49,35 +60,6 @@ double KrigedRows::inCommon(Index a, Index b) const {
     for (const LineShare& m : places_.lines[static_cast<std::size_t>(b)])
       sum += l.line == m.line ? l.share * m.share : 0.0;
   return sum;
-}
-
-/// The place farthest from all before it is next.
-std::vector<Index> KrigedRows::coarseToFine(const std::vector<Index>& active) const {
-  std::vector<Index> order;
-  std::vector<double> way(active.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t count = 0; count < active.size(); ++count) {
-    const auto next = static_cast<std::size_t>(std::max_element(way.begin(), way.end()) - way.begin());
-    order.push_back(active[next]);
-    const Vector3& place = placeOf(active[next]);
-    for (std::size_t i = 0; i < way.size(); ++i)
-      way[i] = std::min(way[i], (placeOf(active[i]) - place).squaredNorm());
-    way[next] = -1.0;
-  }
-  return order;
-}
-
-std::vector<Index> KrigedRows::nearestBefore(const std::vector<Index>& order, std::size_t at) const {
-  std::vector<std::pair<double, Index>> before;
-  for (std::size_t j = 0; j < at; ++j)
-    if (normalOf(order[j]).dot(normalOf(order[at])) > kTurned)
-      before.emplace_back((placeOf(order[j]) - placeOf(order[at])).squaredNorm(), order[j]);
-  const auto tried = before.begin() + static_cast<std::ptrdiff_t>(std::min(before.size(), kTried * (reach_.own + reach_.facing)));
-  std::nth_element(before.begin(), tried, before.end());
-  std::sort(before.begin(), tried);
-  std::vector<Index> nearest;
-  for (auto it = before.begin(); it != tried; ++it)
-    nearest.push_back(it->second);
-  return nearest;
 }
 
 KrigedRows::Told KrigedRows::tellFrom(Index place, const std::vector<Index>& nearest, const FaultNetwork& faults) const {

@@ -70,8 +70,6 @@ private:
   const Vector3& placeOf(Index i) const { return places_.place[static_cast<std::size_t>(i)]; }
   const Vector3& normalOf(Index i) const { return places_.normal[static_cast<std::size_t>(i)]; }
   double inCommon(Index a, Index b) const;
-  std::vector<Index> coarseToFine(const std::vector<Index>& active) const;
-  std::vector<Index> nearestBefore(const std::vector<Index>& order, std::size_t at) const;
   Told tellFrom(Index place, const std::vector<Index>& nearest, const FaultNetwork& faults) const;
 
   const KrigedPlaces& places_;

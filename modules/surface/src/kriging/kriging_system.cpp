@@ -1,6 +1,6 @@
 #include "kriging_system.h"
 
-#include <Eigen/SparseCholesky>
+#include "supernodal_cholesky.h"
 
 #include <cmath>
 
@@ -48,7 +48,8 @@ private:
   std::vector<double> right_;
 };
 
-KrigingSystem::KrigingSystem(const std::vector<KrigedPick>& picks, const std::vector<std::vector<LineShare>>& lines, std::vector<Index> active, KrigedRows rows, std::size_t count)
+KrigingSystem::KrigingSystem(const std::vector<KrigedPick>& picks, const std::vector<std::vector<LineShare>>& lines, std::vector<Index> active, KrigedRows rows,
+                             std::size_t count)
   : active_(std::move(active)), column_(count, -1), rows_(std::move(rows)) {
   for (std::size_t i = 0; i < active_.size(); ++i)
     column_[static_cast<std::size_t>(active_[i])] = static_cast<Eigen::Index>(i);
@@ -96,8 +97,8 @@ Eigen::VectorXd KrigingSystem::moves(const SurfaceCorrelation& correlation) cons
   if (matrix.rows() == 0 || !(matrix.diagonal().maxCoeff() > 0.0))
     return none;
   steady(matrix);
-  const Eigen::SimplicialLDLT<Matrix> factor(matrix);
-  if (factor.info() != Eigen::Success)
+  const SupernodalCholesky factor(matrix);
+  if (!factor.ok())
     return none;
   const Eigen::VectorXd found = factor.solve(right);
   return found.allFinite() ? found : none;

@@ -17,10 +17,12 @@ struct KrigedPick {
 /// The equations of some nodes of a surface, all others staying where they are; made once, solved for any correlation.
 class KrigingSystem {
 public:
-  /// \param[in] lines of the picks, see KrigedPlaces; empty where none is off; \param[in] active the nodes; \param[in] rows theirs; \param[in] count of all nodes
-  KrigingSystem(const std::vector<KrigedPick>& picks, const std::vector<std::vector<LineShare>>& lines, std::vector<Index> active, KrigedRows rows, std::size_t count);
+  /// \param[in] lines of the picks; empty where none is off; \param[in] active the nodes; \param[in] rows theirs; \param[in] count of all nodes
+  KrigingSystem(const std::vector<KrigedPick>& picks, const std::vector<std::vector<LineShare>>& lines, std::vector<Index> active, KrigedRows rows,
+                std::size_t count);
 
-  /// The moves of the active nodes, in their order; 0 where the equations cannot be solved. Thread-safe. \param[in] correlation its length in the picks' units; its mistie above 0 where there are lines
+  /// The moves of the active nodes, in their order; 0 where the equations cannot be solved. Thread-safe.
+  /// \param[in] correlation its length in the picks' units; its mistie above 0 where there are lines
   Eigen::VectorXd moves(const SurfaceCorrelation& correlation) const;
 
   const std::vector<Index>& active() const { return active_; }
