@@ -199,8 +199,9 @@ private:
         const PlaneAt suspects = support.suspectPlane(viewpoint);
         if (suspects.valid && agrees(suspects))
           continue;
-        if (!own.valid)
-          own = support.consensusPlane(viewpoint);
+        if (own.valid)
+          continue; // it could be anywhere: a pick that agrees with it may be the other sheet's
+        own = support.consensusPlane(viewpoint);
       }
       if (own.valid && agrees(own, deviations))
         return true;
