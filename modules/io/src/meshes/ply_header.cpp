@@ -2,10 +2,10 @@
 
 #include "content/line_reader.h"
 #include "content/numbers.h"
+#include "content/stated_origin.h"
 
 #include "graben/core/errors.h"
 
-#include <cmath>
 #include <map>
 
 namespace graben {
@@ -27,7 +27,6 @@ private:
     throw ParseError(path_, reader_.number(), message);
   }
   BinaryType type(std::string_view word) const;
-  void parseOrigin();
   void parseFormat();
   void parseElement();
   void parseProperty();
@@ -122,22 +121,13 @@ void PlyHeaderParser::checkCounts() const {
   }
 }
 
-void PlyHeaderParser::parseOrigin() {
-  Vector3 origin;
-  bool good = true;
-  for (Eigen::Index k = 0; k < 3; ++k)
-    good = good && parseField(words_[static_cast<std::size_t>(k) + 2], origin[k]) && std::isfinite(origin[k]);
-  if (good)
-    header_.origin = origin;
-}
-
 PlyHeader PlyHeaderParser::parse() {
   std::string_view line;
   std::size_t consumed = 0;
   while (reader_.next(line)) {
     splitWords(line, words_);
-    if (words_.size() == 5 && words_[0] == "comment" && words_[1] == "origin")
-      parseOrigin();
+    if (const auto origin = statedOrigin(words_, "comment"))
+      header_.origin = origin;
     if (words_.empty() || words_[0] == "ply" || words_[0] == "comment" || words_[0] == "obj_info")
       continue;
     if (words_[0] == "end_header") {

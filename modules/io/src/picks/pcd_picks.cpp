@@ -4,12 +4,12 @@
 #include "content/line_reader.h"
 #include "content/lzf.h"
 #include "content/numbers.h"
+#include "content/stated_origin.h"
 #include "tables/table_reader.h"
 
 #include "graben/core/errors.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -58,8 +58,8 @@ public:
     std::string_view line;
     while (header_.data.empty() && reader_.next(line)) {
       splitWords(line, words_);
-      if (words_.size() == 5 && words_[0] == "#" && words_[1] == "origin")
-        parseOrigin();
+      if (const auto origin = statedOrigin(words_, "#"))
+        header_.origin = origin;
       if (!words_.empty() && words_[0].substr(0, 1) != "#") // a quoted word may be empty
         parseEntry();
     }
@@ -133,15 +133,6 @@ private:
       if (parseField(words_[i + 1], value) && value != identity[i])
         header_.identity_viewpoint = false;
     }
-  }
-
-  void parseOrigin() {
-    Vector3 origin;
-    bool good = true;
-    for (Eigen::Index k = 0; k < 3; ++k)
-      good = good && parseField(words_[static_cast<std::size_t>(k) + 2], origin[k]) && std::isfinite(origin[k]);
-    if (good)
-      header_.origin = origin;
   }
 
   void layOut() {
